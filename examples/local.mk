@@ -1,0 +1,1 @@
+# One .knit per idea; each is a test.

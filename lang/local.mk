@@ -1,0 +1,3 @@
+# The language: .knit text -> scene.
+noinst_LIBRARIES += liblang.a
+liblang_a_SOURCES = lang/grid.h lang/scene.h

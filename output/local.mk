@@ -1,0 +1,3 @@
+# What comes out: meshes, report, charts.
+noinst_LIBRARIES += liboutput.a
+liboutput_a_SOURCES = solver/surface.h

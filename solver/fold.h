@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The driver: a constant sheet in, the folded sheet and its record out. */
+#ifndef WEFT_FOLD_H
+#define WEFT_FOLD_H
+
+#include <stdbool.h>
+
+#include "solver/surface.h"
+
+struct sheet;           /* sheet.h: the constant model, made from a scene by sheet_build */
+struct fold_state;      /* one state of the sheet, valid during a call of an observer or until fold_free */
+
+/* Who wants to know, and when.  Any member may be NULL. */
+struct fold_observer {
+    void *self;
+    /* Before the first step (growth = 0, the flat sheet) and after each
+     * completed one; false stops the fold cleanly.  The final, polished state
+     * comes as the last step (growth = 1). */
+    bool (*step)(void *self, const struct fold_step *step, const struct fold_state *state);
+    /* Now and then while minimising: iterations within the step so far and the
+     * current energy.  false stops the fold cleanly. */
+    bool (*progress)(void *self, double growth, int iterations, double energy);
+};
+
+struct fold_options { int threads; };       /* 0 = all processors */
+
+/* Folds the sheet.  Prints nothing; what went wrong is record->status and
+ * record->remark.  The record is always filled; free with fold_record_free.
+ * Returns the final state (free with fold_free), NULL when out of range. */
+struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options *options,
+                            const struct fold_observer *observer, struct fold_record *record);
+void fold_free(struct fold_state *state);
+
+/* Samples a state into a surface made for the same stitches, at any per_stitch. */
+void fold_sample(const struct fold_state *state, struct surface *surface);
+
+#endif

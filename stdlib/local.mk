@@ -1,0 +1,1 @@
+# Motifs in .knit, embedded in the binary.

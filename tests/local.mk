@@ -1,0 +1,3 @@
+include tests/golden/local.mk
+include tests/solver/local.mk
+include tests/cli/local.mk
