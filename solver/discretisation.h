@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * What a minimiser may know of a discretised sheet: its unknowns, energy,
+ * gradient and Hessian; what the driver may know besides: how to reach the next
+ * finer level and how to sample a state. */
+#ifndef WEFT_DISCRETISATION_H
+#define WEFT_DISCRETISATION_H
+
+#include "solver/sheet.h"
+#include "solver/surface.h"
+
+enum hessian_kind {
+    HESSIAN_EXACT,              /* the second derivatives */
+    HESSIAN_SEMIDEFINITE        /* Gauss-Newton + clamped membrane stress: never a negative eigenvalue */
+};
+
+/* Lower triangle of the symmetric Hessian by compressed columns; rows of a
+ * column ascend, the diagonal comes first. */
+struct pattern {
+    int  n;
+    int *start;                 /* (n + 1) */
+    int *row;                   /* (start[n]) */
+};
+
+struct discretisation;
+
+struct discretisation_ops {
+    const char *kind;           /* "patch", "spline", "triangle" */
+
+    /* x (n): the flat sheet, at rest but for its natural curvature. */
+    void (*flat)(const struct discretisation *d, double *x);
+
+    /* Energy of state x (n) with natural curvatures scaled by growth in [0, 1].
+     * The gradient is ADDED to gradient (n) unless that is NULL.  Young's modulus
+     * is taken as 1: energies are in young * length^3. */
+    struct fold_energy (*energy)(const struct discretisation *d, const double *restrict x, double growth,
+                                 double *restrict gradient);
+
+    /* Sets value (pattern.start[n]), in the order of the pattern. */
+    void (*hessian)(const struct discretisation *d, const double *restrict x, double growth,
+                    enum hessian_kind kind, double *restrict value);
+
+    /* mass (n) > 0: lumped weights that make steps and shifts independent of the mesh. */
+    void (*mass)(const struct discretisation *d, double *mass);
+
+    /* Where the Hessian lives in other increments than x: dx = T(x) dz, gz = T(x)^T gx.
+     * Both NULL: they are the same. */
+    void (*tangent)(const struct discretisation *d, const double *x, const double *dz, double *dx);
+    void (*cotangent)(const struct discretisation *d, const double *x, const double *gx, double *gz);
+
+    /* The state of the next finer level (made with fine_of this one) that is, or comes closest to, x. */
+    void (*prolong)(const struct discretisation *coarse, const double *x,
+                    const struct discretisation *fine, double *x_fine);
+
+    /* Fills all arrays of a surface with the sheet's stitches, any per_stitch. */
+    void (*sample)(const struct discretisation *d, const double *x, double growth, struct surface *surface);
+
+    void (*free)(struct discretisation *d);
+};
+
+/* One level of one kind.  First member of each kind's own struct. */
+struct discretisation {
+    const struct discretisation_ops *op;
+    const struct sheet              *sheet;
+    int            per_stitch;      /* cells along a stitch's side */
+    int            n;               /* unknowns */
+    long           elements;
+    struct pattern pattern;
+    bool           ordered;         /* unknowns are numbered in a fill-reducing elimination order */
+    int            pin[6];          /* unknowns that hold the six rigid modes of a free sheet */
+    int            threads;
+};
+
+#endif
