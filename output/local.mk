@@ -1,3 +1,11 @@
 # What comes out: meshes, report, charts.
 noinst_LIBRARIES += liboutput.a
-liboutput_a_SOURCES = solver/surface.h
+liboutput_a_SOURCES = \
+    output/chart.c output/chart.h \
+    output/file.c output/file.h \
+    output/json.c output/json.h \
+    output/number.h \
+    output/obj.c output/obj.h \
+    output/pvd.c output/pvd.h \
+    output/report.c output/report.h \
+    output/vtp.c output/vtp.h

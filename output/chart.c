@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Charts as text: a stitch grid in, lines of letters out. */
+#include "output/chart.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* ---- the K/P grid ---- */
+
+void chart_grid(struct file *file, const struct scene *scene)
+{
+    const struct grid *g = scene->grid;
+    file_print(file, "# 1 1\n");
+    for (int j = 0; j < g->rows; j++) {
+        for (int i = 0; i < g->columns; i++) {
+            const char *name = scene->stitch[grid_at(g, i, j)].name;
+            file_write(file, name, strlen(name));
+            file_write(file, i + 1 < g->columns ? " " : "\n", 1);
+        }
+    }
+}
+
+/* ---- the chart for people ---- */
+
+/* Characters of UTF-8 text: every byte but those that go on with one. */
+static int text_width(const char *text)
+{
+    int width = 0;
+    for (; *text; text++)
+        width += ((unsigned char)*text & 0xC0) != 0x80;
+    return width;
+}
+
+static int symbol_width(const struct scene *scene)
+{
+    int width = 1;
+    for (int id = 0; id < scene->nstitches; id++) {
+        int w = text_width(scene->stitch[id].symbol);
+        width = w > width ? w : width;
+    }
+    return width;
+}
+
+static void print_row(struct file *file, const struct scene *scene, int row, int width)
+{
+    for (int i = 0; i < scene->grid->columns; i++) {
+        const char *symbol = scene->stitch[grid_at(scene->grid, i, row)].symbol;
+        file_print(file, " %*s", width - text_width(symbol), "");
+        file_write(file, symbol, strlen(symbol));
+    }
+}
+
+void chart_text(struct file *file, const struct scene *scene)
+{
+    char last[32];
+    int margin = snprintf(last, sizeof last, "%d", scene->grid->rows), width = symbol_width(scene);
+    for (int row = scene->grid->rows; row >= 1; row--) {
+        bool right_side = row % 2 == 1;
+        if (right_side)
+            file_print(file, "%*s", margin, "");
+        else
+            file_print(file, "%*d", margin, row);
+        print_row(file, scene, row - 1, width);
+        if (right_side)
+            file_print(file, "  %d", row);
+        file_print(file, "\n");
+    }
+}

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The report: a scene, the record of its fold and the files written in; one
+ * JSON object out. */
+#ifndef WEFT_REPORT_H
+#define WEFT_REPORT_H
+
+#include "lang/scene.h"
+#include "output/file.h"
+#include "solver/surface.h"
+
+struct report {
+    const struct scene       *scene;
+    const struct fold_record *record;
+    const char               *script_sha256;        /* of the script's text */
+    double                    total_s, compile_s, write_s;      /* wall seconds */
+    long                      peak_bytes;           /* of memory, the whole process */
+};
+
+/* Writes the report; its "outputs" are what log holds so far.  Every number
+ * reads back exactly; a value that is not known (no error estimate, not finite)
+ * is null.  Apart from "time" and "memory" the bytes depend only on the binary,
+ * the script, the seed and the number of threads.  false: see log->error. */
+bool report_write(struct file_log *log, const char *path, const struct report *report);
+
+#endif
