@@ -66,7 +66,8 @@ struct discretisation {
     long           elements;
     struct pattern pattern;
     bool           ordered;         /* unknowns are numbered in a fill-reducing elimination order */
-    int            pin[6];          /* unknowns that hold the six rigid modes of a free sheet */
+    int            nnodes;
+    const int     *node;            /* (nnodes) first of the three unknowns that are a node's position */
     int            threads;
 };
 
