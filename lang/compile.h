@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The front end's face: a script and the command line's wishes in, a scene out.
+ *
+ * What a caller does:
+ *
+ *     struct arena arena = {0};
+ *     struct diag diag;
+ *     const char *why;
+ *     diag_init(&diag, &arena);
+ *     const struct source *source = source_read(&arena, path, &why);
+ *     if (!source) { say path and why; exit 4; }
+ *     const struct scene *scene = scene_compile(&arena, &diag, source, &options);
+ *     diag_print(&diag, stderr, DIAG_HUMAN, color);       // errors and warnings alike
+ *     if (!scene) exit 3;
+ *     ...
+ *     arena_free(&arena);                                 // scene, source and messages go with it
+ */
+#ifndef WEFT_COMPILE_H
+#define WEFT_COMPILE_H
+
+#include <stdbool.h>
+
+#include "lang/arena.h"
+#include "lang/diag.h"
+#include "lang/scene.h"
+
+/* What the command line sets: -D name=value for a param; for a key of a block
+ * its dotted name, "solve.accuracy" = "1%", "mesh.per_stitch" = "2",
+ * "K.kx" = "-0.8".  The value is an expression of the language. */
+struct compile_override {
+    const char *name, *value;
+};
+
+struct compile_options {
+    const struct compile_override *define;      /* (ndefines) params */
+    int                            ndefines;
+    const struct compile_override *set;         /* (nsets) keys of blocks */
+    int                            nsets;
+    const char *const             *include;     /* (nincludes) folders of -I, before those of WEFT_PATH */
+    int                            nincludes;
+    const char *const             *output;      /* (noutputs) -o: PATH or KIND:PATH, after the file's own */
+    int                            noutputs;
+    bool                           warnings_are_errors;
+};
+
+/* A whole file, or standard input for "-".  NULL when it could not be read;
+ * *why then says so ("No such file or directory").  Never a message in diag:
+ * this is an input failure, not an error of the script. */
+const struct source *source_read(struct arena *, const char *path, const char **why);
+
+/* A text that is already in memory. */
+const struct source *source_from_text(struct arena *, const char *name, const char *text, size_t size);
+
+/* Compiles; NULL when there were errors (also when options say that warnings
+ * are errors and there were some).  options may be NULL.  An unknown -D name,
+ * a value out of its range, an -o of unknown kind are errors placed at
+ * "command line".  What `use` names is looked for in the folder of the file
+ * that uses it, the -I folders, those of WEFT_PATH, and the built-in library. */
+const struct scene *scene_compile(struct arena *, struct diag *, const struct source *,
+                                  const struct compile_options *);
+
+/* The folders of an environment value like WEFT_PATH are read by scene_compile
+ * itself; kinds of output by name, for messages and completion. */
+const char *output_kind_name(enum output_kind);
+
+/* The built-in motifs, for `weft list`. */
+struct library_motif {
+    const char        *name;
+    const char        *arguments;   /* "(half = 6)", or "" */
+    const char        *about;       /* one line */
+    const char        *file;        /* "std/miura.knit" */
+    int                multiple;    /* stitches: a width is multiple * n + plus */
+    int                plus;
+    int                rows;        /* rows of one repeat */
+    const struct grid *grid;        /* one repeat with its edge stitches */
+};
+
+/* All of them, in the order of their names; *count says how many. */
+const struct library_motif *library_list(struct arena *, int *count);
+
+/* The text of a built-in file by the name library_motif.file has, or NULL. */
+const char *library_text(const char *file);
+
+#endif
