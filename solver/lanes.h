@@ -12,11 +12,6 @@ enum { LANES = 8 };
 typedef double lanes __attribute__((vector_size(8 * LANES)));
 typedef long long lanes_mask __attribute__((vector_size(8 * LANES)));
 
-/* Vectors pass between inlined functions only, so their calling convention does not matter. */
-#if defined __GNUC__ && !defined __clang__
-#pragma GCC diagnostic ignored "-Wpsabi"
-#endif
-
 #define LANES_INLINE static inline __attribute__((always_inline))
 #ifdef WEFT_CLONES
 #define LANES_KERNEL __attribute__((target_clones(WEFT_CLONES)))
@@ -24,32 +19,52 @@ typedef long long lanes_mask __attribute__((vector_size(8 * LANES)));
 #define LANES_KERNEL
 #endif
 
-LANES_INLINE lanes lanes_set(double a)
-{
-    return (lanes){a, a, a, a, a, a, a, a};
-}
+/* Unrolls the loop it stands before. */
+#ifdef __clang__
+#define LANES_UNROLL _Pragma("unroll")
+#else
+#define LANES_UNROLL _Pragma("GCC unroll 8")
+#endif
 
-LANES_INLINE lanes lanes_sqrt(lanes a)
-{
-    lanes r;
-    for (int l = 0; l < LANES; l++)
-        r[l] = __builtin_sqrt(a[l]);
-    return r;
-}
-
-/* max(a, 0) */
-LANES_INLINE lanes lanes_positive(lanes a)
-{
-    return (lanes)((lanes_mask)a & (a > 0));
-}
+/* A function that takes or gives bare lanes has no calling convention that code for two instruction sets agrees on,
+ * inlined or not (clang refuses the call); in a struct they pass in memory.  So these are macros around functions
+ * of structs. */
+struct lanes_one {
+    lanes v;
+};
 
 struct vec {
     lanes x, y, z;
 };
 
-LANES_INLINE lanes vec_dot(struct vec a, struct vec b)
+#define lanes_set(a)       (lanes_set_(a).v)
+#define lanes_sqrt(a)      (lanes_sqrt_((struct lanes_one){a}).v)
+#define lanes_positive(a)  (lanes_positive_((struct lanes_one){a}).v)  /* max(a, 0) */
+#define vec_dot(a, b)      (vec_dot_(a, b).v)
+#define vec_scale(s, a)    vec_scale_((struct lanes_one){s}, a)
+#define vec_fma(a, s, b)   vec_fma_(a, (struct lanes_one){s}, b)       /* a + s b */
+
+LANES_INLINE struct lanes_one lanes_set_(double a)
 {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
+    return (struct lanes_one){{a, a, a, a, a, a, a, a}};
+}
+
+LANES_INLINE struct lanes_one lanes_sqrt_(struct lanes_one a)
+{
+    struct lanes_one r;
+    for (int l = 0; l < LANES; l++)
+        r.v[l] = __builtin_sqrt(a.v[l]);
+    return r;
+}
+
+LANES_INLINE struct lanes_one lanes_positive_(struct lanes_one a)
+{
+    return (struct lanes_one){(lanes)((lanes_mask)a.v & (a.v > 0))};
+}
+
+LANES_INLINE struct lanes_one vec_dot_(struct vec a, struct vec b)
+{
+    return (struct lanes_one){a.x * b.x + a.y * b.y + a.z * b.z};
 }
 
 LANES_INLINE struct vec vec_cross(struct vec a, struct vec b)
@@ -57,9 +72,9 @@ LANES_INLINE struct vec vec_cross(struct vec a, struct vec b)
     return (struct vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-LANES_INLINE struct vec vec_scale(lanes s, struct vec a)
+LANES_INLINE struct vec vec_scale_(struct lanes_one s, struct vec a)
 {
-    return (struct vec){s * a.x, s * a.y, s * a.z};
+    return (struct vec){s.v * a.x, s.v * a.y, s.v * a.z};
 }
 
 LANES_INLINE struct vec vec_add(struct vec a, struct vec b)
@@ -67,10 +82,15 @@ LANES_INLINE struct vec vec_add(struct vec a, struct vec b)
     return (struct vec){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/* a + s b */
-LANES_INLINE struct vec vec_fma(struct vec a, lanes s, struct vec b)
+/* a - b */
+LANES_INLINE struct vec vec_sub(struct vec a, struct vec b)
 {
-    return (struct vec){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+    return (struct vec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+LANES_INLINE struct vec vec_fma_(struct vec a, struct lanes_one s, struct vec b)
+{
+    return (struct vec){a.x + s.v * b.x, a.y + s.v * b.y, a.z + s.v * b.z};
 }
 
 #endif
