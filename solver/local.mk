@@ -1,3 +1,8 @@
 # The solver: scene -> folded surface.
 noinst_LIBRARIES += libsolver.a
-libsolver_a_SOURCES = solver/sheet.h solver/fold.h solver/surface.h
+libsolver_a_SOURCES = \
+    solver/discretisation.h solver/lanes.h solver/memory.c solver/memory.h \
+    solver/sheet.c solver/sheet.h solver/fold.h solver/surface.c solver/surface.h \
+    solver/patch.c solver/patch.h solver/patch_basis.c solver/patch_basis.h \
+    solver/patch_grid.c solver/patch_grid.h solver/patch_kernel.h \
+    solver/dissection.c solver/dissection.h solver/springs.c solver/springs.h

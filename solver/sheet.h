@@ -14,7 +14,7 @@ struct sheet {
     double   thickness;         /* length, h */
     double   young, poisson;    /* force/length^2, Y; nu */
     double  *kx, *ky, *twist;   /* 1/length (rows x columns): natural curvature b0 = [[kx, twist], [twist, ky]] */
-    double   spring;            /* force/length^2, per unit length of boundary */
+    double   spring;            /* stiffness per unit length of boundary, over young */
     unsigned spring_edges;      /* set of enum edge */
     struct mesh  mesh;
     struct solve solve;

@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Sheet and state in; energy, gradient and Hessian of C1 patches out: gather
+ * eight elements of one colour, compute at Gauss points, scatter. */
+#include "solver/patch.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "solver/patch_grid.h"
+#include "solver/patch_kernel.h"
+
+/* ---- one batch of eight elements ---- */
+
+struct batch {
+    const struct patch *patch;
+    int                 count;              /* elements in use, the rest repeat the first */
+    int                 element[LANES];
+    lanes               kx, ky, twist;      /* natural curvature, grown */
+    int                 first[LANES][9];    /* first unknown of each of an element's nodes */
+};
+
+static void batch_open(const struct patch *p, int index, double growth, struct batch *b)
+{
+    const struct sheet *sheet = p->d.sheet;
+    b->patch = p;
+    b->count = p->batch[index].count;
+    for (int l = 0; l < LANES; l++) {
+        int e = p->batch[index].element[l < b->count ? l : 0];
+        size_t stitch = patch_stitch(p, e);
+        b->element[l] = e;
+        b->kx[l] = growth * sheet->kx[stitch];
+        b->ky[l] = growth * sheet->ky[stitch];
+        b->twist[l] = growth * sheet->twist[stitch];
+        patch_nodes(p, e, b->first[l]);
+    }
+}
+
+LANES_INLINE void batch_gather(const struct batch *b, const double *x, int nfun, int per_node, struct vec *X)
+{
+    for (int l = 0; l < LANES; l++)
+        for (int a = 0; a < nfun; a++) {
+            const double *r = x + b->first[l][a / per_node] + 3 * (a % per_node);
+            X[a].x[l] = r[0], X[a].y[l] = r[1], X[a].z[l] = r[2];
+        }
+}
+
+LANES_INLINE void batch_scatter(const struct batch *b, const struct vec *G, int nfun, int per_node, double *gradient)
+{
+    for (int l = 0; l < b->count; l++)
+        for (int a = 0; a < nfun; a++) {
+            double *g = gradient + b->first[l][a / per_node] + 3 * (a % per_node);
+            g[0] += G[a].x[l], g[1] += G[a].y[l], g[2] += G[a].z[l];
+        }
+}
+
+/* d_i = Sum_a N_i^a X_a */
+LANES_INLINE void derive(const double (*N)[BASIS_MAX], int nfun, const struct vec *X, struct vec d[D_COUNT])
+{
+    for (int i = 0; i < D_COUNT; i++) {
+        struct vec s = {.x = {0}};
+        for (int a = 0; a < nfun; a++)
+            s = vec_fma(s, lanes_set(N[i][a]), X[a]);
+        d[i] = s;
+    }
+}
+
+/* e = Sum_g w (1/2 S:E + 1/2 M:B); G_a += Sum_g w N_i^a de/dd_i */
+LANES_INLINE void batch_energy_of(const struct batch *b, const double *x, int nfun, int per_node, double *gradient,
+                                  double energy[2])
+{
+    const struct patch *p = b->patch;
+    struct vec X[BASIS_MAX], G[BASIS_MAX] = {{.x = {0}}};
+    struct tensor b0 = {b->kx, b->ky, b->twist};
+    lanes stretching = {0}, bending = {0};
+    batch_gather(b, x, nfun, per_node, X);
+    for (int g = 0; g < p->ngauss; g++) {
+        struct vec d[D_COUNT], f[D_COUNT];
+        derive(p->N[g], nfun, X, d);
+        struct point at = point_forms(&p->plate, d, &b0);
+        lanes w = lanes_set(p->weight[g]);
+        stretching += 0.5 * w * tensor_dot(at.S, at.E);
+        bending += 0.5 * w * tensor_dot(at.M, at.B);
+        if (!gradient)
+            continue;
+        point_gradient(&at, d, f);
+        for (int i = 0; i < D_COUNT; i++) {
+            f[i] = vec_scale(w, f[i]);
+            for (int a = 0; a < nfun; a++)
+                G[a] = vec_fma(G[a], lanes_set(p->N[g][i][a]), f[i]);
+        }
+    }
+    energy[0] = energy[1] = 0;
+    for (int l = 0; l < b->count; l++)
+        energy[0] += stretching[l], energy[1] += bending[l];
+    if (gradient)
+        batch_scatter(b, G, nfun, per_node, gradient);
+}
+
+LANES_KERNEL void patch_batch_energy(const struct patch *p, int index, const double *x, double growth,
+                                     double *gradient, double *energy);
+LANES_KERNEL void patch_batch_energy(const struct patch *p, int index, const double *x, double growth,
+                                     double *gradient, double *energy)
+{
+    struct batch b;
+    batch_open(p, index, growth, &b);
+    if (p->basis->kind == BASIS_HERMITE)
+        batch_energy_of(&b, x, 16, 4, gradient, energy);
+    else
+        batch_energy_of(&b, x, 9, 1, gradient, energy);
+}
+
+/* T_i = Sum_j K_ij N_j^b, the Hessian at a Gauss point applied to function b, for i = p, q, r_xx, r_yy, r_xy. */
+LANES_INLINE void point_apply(const struct patch *p, int g, const struct point_hessian *K, int b, mat3 T[D_COUNT])
+{
+    const double(*N)[BASIS_MAX] = p->N[g];
+    double w = p->weight[g], P = w * N[D_P][b], Q = w * N[D_Q][b];
+    double xx = w * N[D_XX][b], yy = w * N[D_YY][b], xy = w * N[D_XY][b];
+    double b11 = p->plate.b1 + p->plate.b2, b12 = p->plate.b1, b33 = 2 * p->plate.b2;
+    double C[3] = {b11 * xx + b12 * yy, b12 * xx + b11 * yy, b33 * xy};
+    static const int symmetric[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            T[D_P][i][j] = P * K->pp[i][j] + Q * K->pq[i][j] + xx * K->kp[0][j][i] + yy * K->kp[1][j][i] +
+                           xy * K->kp[2][j][i];
+            T[D_Q][i][j] = P * K->pq[j][i] + Q * K->qq[i][j] + xx * K->kq[0][j][i] + yy * K->kq[1][j][i] +
+                           xy * K->kq[2][j][i];
+            for (int k = 0; k < 3; k++)
+                T[D_XX + k][i][j] = P * K->kp[k][i][j] + Q * K->kq[k][i][j] + C[k] * K->nn[symmetric[i][j]];
+        }
+}
+
+/* Adds the 3x3 blocks of functions a (rows) and b (columns) to the lower triangle. */
+LANES_INLINE void block_scatter(const struct batch *b, int fa, int fb, int per_node, const mat3 H, double *value)
+{
+    const struct patch *p = b->patch;
+    int na = fa / per_node, nb = fb / per_node, ka = 3 * (fa % per_node), kb = 3 * (fb % per_node);
+    for (int l = 0; l < b->count; l++) {
+        int I = b->first[l][na], J = b->first[l][nb];
+        int off = patch_offset(p, b->element[l], na, nb);
+        bool transposed = I < J;
+        int column = transposed ? I + ka : J + kb, row = transposed ? kb : ka;
+        for (int j = 0; j < 3; j++) {
+            double *v = value + p->d.pattern.start[column + j] + off + row - ((transposed ? ka : kb) + j);
+            for (int i = I == J && ka == kb ? j : 0; i < 3; i++)
+                v[i] += transposed ? H[j][i][l] : H[i][j][l];
+        }
+    }
+}
+
+/* H_ab = Sum_g w Sum_ij N_i^a K_ij N_j^b, a >= b */
+LANES_INLINE void batch_hessian_of(const struct batch *b, const double *x, int nfun, int per_node, int exact,
+                                   double *value)
+{
+    const struct patch *p = b->patch;
+    struct vec X[BASIS_MAX];
+    struct tensor b0 = {b->kx, b->ky, b->twist};
+    struct point_hessian K[GAUSS_MAX * GAUSS_MAX];
+    batch_gather(b, x, nfun, per_node, X);
+    for (int g = 0; g < p->ngauss; g++) {
+        struct vec d[D_COUNT];
+        derive(p->N[g], nfun, X, d);
+        struct point at = point_forms(&p->plate, d, &b0);
+        point_second(&p->plate, &at, d, exact, &K[g]);
+    }
+    for (int fb = 0; fb < nfun; fb++) {
+        mat3 T[GAUSS_MAX * GAUSS_MAX][D_COUNT];
+        for (int g = 0; g < p->ngauss; g++)
+            point_apply(p, g, &K[g], fb, T[g]);
+        for (int fa = fb; fa < nfun; fa++) {
+            mat3 H = {{{0}}};
+            for (int g = 0; g < p->ngauss; g++)
+                for (int i = 0; i < D_COUNT; i++)
+                    for (int e = 0; e < 9; e++)
+                        (&H[0][0])[e] += p->N[g][i][fa] * (&T[g][i][0][0])[e];
+            block_scatter(b, fa, fb, per_node, H, value);
+        }
+    }
+}
+
+LANES_KERNEL void patch_batch_hessian(const struct patch *p, int index, const double *x, double growth, int exact,
+                                      double *value);
+LANES_KERNEL void patch_batch_hessian(const struct patch *p, int index, const double *x, double growth, int exact,
+                                      double *value)
+{
+    struct batch b;
+    batch_open(p, index, growth, &b);
+    if (p->basis->kind == BASIS_HERMITE)
+        batch_hessian_of(&b, x, 16, 4, exact, value);
+    else
+        batch_hessian_of(&b, x, 9, 1, exact, value);
+}
+
+/* ---- all batches, colour by colour: no two elements of a colour share an unknown,
+ *      so sums come in one order whatever the number of threads ---- */
+
+static struct fold_energy patch_energy(const struct discretisation *d, const double *restrict x, double growth,
+                                       double *restrict gradient)
+{
+    const struct patch *p = (const struct patch *)d;
+#pragma omp parallel num_threads(d->threads) if (d->threads > 1)
+    for (int c = 0; c < p->ncolours; c++) {
+#pragma omp for schedule(static)
+        for (int i = p->colour[c]; i < p->colour[c + 1]; i++)
+            patch_batch_energy(p, i, x, growth, gradient, p->energy + 2 * i);
+    }
+    struct fold_energy e = {0};
+    for (int i = 0; i < p->nbatches; i++)
+        e.stretching += p->energy[2 * i], e.bending += p->energy[2 * i + 1];
+    if (p->springs.count)
+        e.springs = springs_energy(&p->springs, x, gradient);
+    e.total = e.stretching + e.bending + e.springs;
+    return e;
+}
+
+static void patch_hessian(const struct discretisation *d, const double *restrict x, double growth,
+                          enum hessian_kind kind, double *restrict value)
+{
+    const struct patch *p = (const struct patch *)d;
+#pragma omp parallel num_threads(d->threads) if (d->threads > 1)
+    {
+#pragma omp for schedule(static)
+        for (int j = 0; j < d->n; j++)
+            memset(value + d->pattern.start[j], 0,
+                   sizeof *value * (size_t)(d->pattern.start[j + 1] - d->pattern.start[j]));
+        for (int c = 0; c < p->ncolours; c++) {
+#pragma omp for schedule(static)
+            for (int i = p->colour[c]; i < p->colour[c + 1]; i++)
+                patch_batch_hessian(p, i, x, growth, kind == HESSIAN_EXACT, value);
+        }
+    }
+    if (p->springs.count)
+        springs_hessian(&p->springs, value);
+}
+
+static void patch_free(struct discretisation *d)
+{
+    patch_grid_free((struct patch *)d);
+}
+
+static const struct discretisation_ops patch_ops = {
+    .kind = "patch",
+    .flat = patch_flat,
+    .energy = patch_energy,
+    .hessian = patch_hessian,
+    .mass = patch_mass,
+    .prolong = patch_prolong,
+    .sample = patch_sample,
+    .free = patch_free,
+};
+
+struct discretisation *patch_make(const struct sheet *sheet, const struct basis *basis, int per_stitch, int gauss,
+                                  int threads)
+{
+    struct patch *p = patch_grid_make(sheet, basis, per_stitch, gauss);
+    p->d.op = &patch_ops;
+    p->d.threads = threads;
+    patch_springs(p);
+    return &p->d;
+}

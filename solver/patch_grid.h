@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The patches' structured grid: numbering, sparsity, colours, tables of shape
+ * functions, and what follows from a state without derivatives of the energy. */
+#ifndef WEFT_PATCH_GRID_H
+#define WEFT_PATCH_GRID_H
+
+#include "solver/lanes.h"
+#include "solver/patch.h"
+#include "solver/patch_kernel.h"
+#include "solver/springs.h"
+
+struct patch_batch {
+    int count;                  /* elements in use, <= LANES */
+    int element[LANES];
+};
+
+struct patch {
+    struct discretisation d;
+    const struct basis   *basis;
+    int                   nx, ny;       /* elements */
+    int                   mx, my;       /* nodes; spline coefficients count as nodes */
+    int                   per_node;     /* unknowns of a node: 12 or 3 */
+    double                hx, hy;       /* length, one element */
+    struct plate          plate;
+
+    int                   ngauss;                                           /* points an element */
+    double                weight[GAUSS_MAX * GAUSS_MAX];                    /* area */
+    double                N[GAUSS_MAX * GAUSS_MAX][D_COUNT][BASIS_MAX];     /* derivatives of the functions */
+
+    int                  *place;        /* (my x mx) a node's place in the elimination order */
+    int                  *node;         /* (mx x my) by place: first unknown */
+    short                *offset;       /* (elements x pairs) see patch_offset */
+    int                   npairs;       /* of distinct nodes of an element */
+
+    int                   ncolours;
+    int                  *colour;       /* (ncolours + 1) first batch of each colour */
+    int                   nbatches;
+    struct patch_batch   *batch;        /* (nbatches) */
+    double               *energy;       /* (nbatches x 2) scratch: stretching, bending */
+    struct spring_form        springs;
+};
+
+struct patch *patch_grid_make(const struct sheet *sheet, const struct basis *basis, int per_stitch, int gauss);
+void          patch_grid_free(struct patch *patch);
+
+/* Fills the boundary's mass matrix; after patch_grid_make and with d.op set. */
+void patch_springs(struct patch *patch);
+
+/* Index into the sheet's per-stitch arrays. */
+static inline size_t patch_stitch(const struct patch *p, int element)
+{
+    int ps = p->d.per_stitch, x = element % p->nx / ps, y = element / p->nx / ps;
+    return (size_t)y * (size_t)p->d.sheet->columns + (size_t)x;
+}
+
+/* First unknown of each node of an element, nodes x fastest. */
+static inline void patch_nodes(const struct patch *p, int element, int *first)
+{
+    int span = p->basis->span, x = element % p->nx, y = element / p->nx;
+    for (int j = 0; j < span; j++)
+        for (int i = 0; i < span; i++)
+            *first++ = p->per_node * p->place[(y + j) * p->mx + x + i];
+}
+
+/* Where, from the diagonal of a column of one of two nodes (the earlier in the
+ * order), the rows of the other begin, as if the column were its node's first. */
+static inline int patch_offset(const struct patch *p, int element, int a, int b)
+{
+    if (a == b)
+        return 0;
+    int high = a > b ? a : b, low = a > b ? b : a;
+    return p->offset[(size_t)element * (size_t)p->npairs + (size_t)(high * (high - 1) / 2 + low)];
+}
+
+/* The operations that need no derivative of the energy. */
+void patch_flat(const struct discretisation *d, double *x);
+void patch_mass(const struct discretisation *d, double *mass);
+void patch_prolong(const struct discretisation *coarse, const double *x, const struct discretisation *fine,
+                   double *x_fine);
+void patch_sample(const struct discretisation *d, const double *x, double growth, struct surface *surface);
+
+#endif
