@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Newton's method with the exact Hessian, shifted by a multiple of the mass
+ * where it is not positive definite; and the inertia test at its end. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "solver/memory.h"
+#include "solver/problem.h"
+#include "solver/stopwatch.h"
+
+static const double ARMIJO = 1e-4;          /* share of the predicted decrease a step must reach */
+static const double ROUNDING = 1e-13;       /* of the energy: smaller decreases are not seen */
+static const double FIRST_SHIFT = 1e-5, LAST_SHIFT = 1e6;
+
+static double dot(int n, const double *a, const double *b)
+{
+    double s = 0;
+    for (int i = 0; i < n; i++)
+        s += a[i] * b[i];
+    return s;
+}
+
+/* Factors H + shift M, raising the shift until that is positive definite. */
+static bool factor_shifted(struct problem *p, const double *x, double *shift)
+{
+    while (!problem_factor(p, x, HESSIAN_EXACT, *shift)) {
+        if (problem_out_of_memory(p) || *shift > LAST_SHIFT)
+            return false;
+        *shift = fmax(8 * *shift, FIRST_SHIFT);
+    }
+    return true;
+}
+
+/* step = -T (H + shift M)^-1 T^T g; no node moves further than the sheet's stitch diagonal times `most`. */
+static void newton_step(struct problem *p, const double *x, double most)
+{
+    const struct discretisation *d = p->d;
+    double start = stopwatch();
+    const double *g = p->gradient;
+    if (d->op->cotangent) {
+        d->op->cotangent(d, x, g, p->trial);
+        g = p->trial;
+    }
+    factor_solve(p->factor, g, p->step);
+    if (d->op->tangent) {
+        memcpy(p->trial, p->step, sizeof *p->trial * (size_t)d->n);
+        d->op->tangent(d, x, p->trial, p->step);
+    }
+    double furthest = 0;
+    for (int i = 0; i < d->nnodes; i++)
+        for (int c = 0; c < 3; c++)
+            furthest = fmax(furthest, fabs(p->step[d->node[i] + c]));
+    double scale = furthest > most ? -most / furthest : -1;
+    for (int i = 0; i < d->n; i++)
+        p->step[i] *= scale;
+    p->effort->solve_s += stopwatch() - start;
+}
+
+/* Moves x along the step by Armijo's rule with quadratic backtracking; returns
+ * the length taken, 0 where none descends. */
+static double line_search(struct problem *p, double *x, double energy, double slope)
+{
+    const int n = p->d->n;
+    double length = 1;
+    for (int tries = 0; tries < 30; tries++) {
+        for (int i = 0; i < n; i++)
+            p->trial[i] = x[i] + length * p->step[i];
+        double there = problem_evaluate(p, p->trial);
+        if (isfinite(there) && there <= energy + ARMIJO * length * slope) {
+            memcpy(x, p->trial, sizeof *x * (size_t)n);
+            return length;
+        }
+        double best = isfinite(there) ? -slope * length * length / (2 * (there - energy - slope * length)) : 0;
+        length = fmin(fmax(best, 0.1 * length), 0.5 * length);
+    }
+    return 0;
+}
+
+/* Where decreases drown in rounding the gradient decides: the full step is
+ * taken as long as it lowers that. */
+static bool step_by_gradient(struct problem *p, double *x)
+{
+    double before = p->gradient_max;
+    for (int i = 0; i < p->d->n; i++)
+        p->trial[i] = x[i] + p->step[i];
+    problem_evaluate(p, p->trial);
+    if (!(p->gradient_max < 0.9 * before)) {
+        problem_evaluate(p, x);
+        return false;
+    }
+    memcpy(x, p->trial, sizeof *x * (size_t)p->d->n);
+    return true;
+}
+
+enum outcome newton_minimise(struct problem *p, double *x)
+{
+    const struct sheet *sheet = p->d->sheet;
+    double shift = 0, most = 0.25 * fmax(sheet->columns * sheet->dx, sheet->rows * sheet->dy);
+    double energy = problem_evaluate(p, x);
+    if (!isfinite(energy))
+        return OUTCOME_FAILED;
+    while (p->gradient_max > p->tolerance) {
+        if (p->effort->iterations >= p->limit)
+            return OUTCOME_LIMIT;
+        if (!factor_shifted(p, x, &shift))
+            return OUTCOME_FAILED;
+        newton_step(p, x, most);
+        double slope = dot(p->d->n, p->gradient, p->step);
+        if (-slope < ROUNDING * fabs(energy)) {
+            p->effort->iterations++;
+            if (!step_by_gradient(p, x))
+                return OUTCOME_PRECISION;
+            energy = p->energy.total;
+            continue;
+        }
+        double length = line_search(p, x, energy, slope);
+        if (length == 0) {
+            problem_evaluate(p, x);
+            return OUTCOME_STALLED;
+        }
+        p->effort->iterations++;
+        energy = p->energy.total;
+        if (length == 1)
+            shift = shift / 8 < FIRST_SHIFT * 1e-3 ? 0 : shift / 8;
+        else if (length < 0.25)
+            shift = fmax(4 * shift, FIRST_SHIFT);
+        if (!problem_report(p))
+            return OUTCOME_STOPPED;
+    }
+    return OUTCOME_CONVERGED;
+}
+
+/* Inverse iteration with the shifted factor ends in the softest direction; v.Hv tells its curvature. */
+static double softest_direction(struct problem *p, double shift, double *v)
+{
+    int n = p->d->n;
+    double curvature = 0;
+    for (int i = 0; i < n; i++)
+        v[i] = sin(1.0 + 12.9898 * i) * p->mass[i];
+    for (int round = 0; round < 12; round++) {
+        factor_solve(p->factor, v, p->trial);
+        double top = dot(n, p->trial, v), norm = 0;
+        for (int i = 0; i < n; i++)
+            norm += p->mass[i] * p->trial[i] * p->trial[i];
+        curvature = top / norm - shift;
+        for (int i = 0; i < n; i++)
+            v[i] = p->mass[i] * p->trial[i] / sqrt(norm);
+    }
+    for (int i = 0; i < n; i++)
+        v[i] /= p->mass[i];
+    return curvature;
+}
+
+bool newton_is_minimum(struct problem *p, const double *x, double *direction)
+{
+    double shift = 0;
+    if (!factor_shifted(p, x, &shift))
+        return false;
+    if (shift == 0)
+        return true;
+    softest_direction(p, shift, direction);
+    return false;
+}
