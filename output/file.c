@@ -64,13 +64,21 @@ void file_log_free(struct file_log *log)
     *log = (struct file_log){0};
 }
 
-/* The entry of a path, new where there is none; NULL when out of memory. */
-static struct file_entry *log_entry(struct file_log *log, const char *path)
+struct file_entry *file_log_find(const struct file_log *log, const char *path)
 {
     for (int i = 0; i < log->nentries; i++)
         if (strcmp(log->entry[i].path, path) == 0)
             return &log->entry[i];
-    struct file_entry *entry = realloc(log->entry, (size_t)(log->nentries + 1) * sizeof *entry);
+    return NULL;
+}
+
+/* The entry of a path, new where there is none; NULL when out of memory. */
+static struct file_entry *log_entry(struct file_log *log, const char *path)
+{
+    struct file_entry *entry = file_log_find(log, path);
+    if (entry)
+        return entry;
+    entry = realloc(log->entry, (size_t)(log->nentries + 1) * sizeof *entry);
     if (!entry)
         return NULL;
     log->entry = entry;

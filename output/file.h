@@ -62,6 +62,9 @@ void file_remove_unfinished(void);
 /* Sets log->error, unless an earlier one stands there. */
 void file_fail(struct file_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* The entry of a path that was committed, or NULL. */
+struct file_entry *file_log_find(const struct file_log *log, const char *path);
+
 void file_log_free(struct file_log *log);
 
 /* Ends a hasher: SHA-256 of its bytes, as hexadecimal digits. */

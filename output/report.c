@@ -18,31 +18,36 @@ static double estimate(double error)
     return error < 0 ? NAN : error;
 }
 
-static void add_scene(cJSON *root, const struct report *r)
+static void add_hash(cJSON *object, const char *key, struct file *hasher)
+{
+    char sha256[FILE_HASH] = "";
+    if (hasher)
+        file_hash(hasher, sha256);
+    json_text(object, key, sha256);
+}
+
+static void add_scene(cJSON *root, struct file_log *log, const struct report *r)
 {
     const struct grid *g = r->scene->grid;
     size_t ncells = (size_t)g->columns * (size_t)g->rows, count[STITCH_MAX + 1] = {0};
     for (size_t i = 0; i < ncells; i++)
         count[g->cell[i]]++;
 
-    char grid_sha256[FILE_HASH] = "";
-    struct file_log nothing = {0};
-    struct file *hasher = file_hasher(&nothing);
-    if (hasher) {
-        chart_grid(hasher, r->scene);
-        file_hash(hasher, grid_sha256);
-    }
-    file_log_free(&nothing);
-
     cJSON *scene = cJSON_AddObjectToObject(root, "scene");
     json_text(scene, "file", r->scene->file);
-    json_text(scene, "sha256", r->script_sha256);
+    struct file *hasher = file_hasher(log);
+    if (hasher)
+        file_write(hasher, r->source, r->source_size);
+    add_hash(scene, "sha256", hasher);
     json_integer(scene, "rows", g->rows);
     json_integer(scene, "columns", g->columns);
     json_unsigned(scene, "knit", count[STITCH_K]);
     json_unsigned(scene, "purl", count[STITCH_P]);
     json_unsigned(scene, "other", ncells - count[STITCH_K] - count[STITCH_P]);
-    json_text(scene, "grid_sha256", grid_sha256);
+    hasher = file_hasher(log);
+    if (hasher)
+        chart_grid(hasher, r->scene);
+    add_hash(scene, "grid_sha256", hasher);
 }
 
 static void add_parameters(cJSON *root, const struct scene *scene)
@@ -158,8 +163,8 @@ bool report_write(struct file_log *log, const char *path, const struct report *r
 {
     cJSON *root = cJSON_CreateObject();
     json_text(root, "weft", PACKAGE_VERSION);
-    json_integer(root, "schema", 1);
-    add_scene(root, report);
+    json_integer(root, "schema", REPORT_SCHEMA);
+    add_scene(root, log, report);
     add_parameters(root, report->scene);
     add_discretisation(root, report->record);
     add_energy(root, report->record);

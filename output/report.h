@@ -8,10 +8,13 @@
 #include "output/file.h"
 #include "solver/surface.h"
 
+enum { REPORT_SCHEMA = 1 };     /* changes when a reader of reports must */
+
 struct report {
     const struct scene       *scene;
     const struct fold_record *record;
-    const char               *script_sha256;        /* of the script's text */
+    const char               *source;               /* the script's text */
+    size_t                    source_size;          /* bytes */
     double                    total_s, compile_s, write_s;      /* wall seconds */
     long                      peak_bytes;           /* of memory, the whole process */
 };

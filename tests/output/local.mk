@@ -1,0 +1,19 @@
+# Units of output, with cmocka.
+if HAVE_CMOCKA
+check_LIBRARIES += libsample.a
+libsample_a_SOURCES = tests/output/sample.c tests/output/sample.h
+
+check_PROGRAMS += tests/output/test_file tests/output/test_mesh tests/output/test_report
+
+tests_output_test_file_SOURCES = tests/output/test_file.c
+tests_output_test_file_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_output_test_file_LDADD = libsample.a liboutput.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
+tests_output_test_mesh_SOURCES = tests/output/test_mesh.c
+tests_output_test_mesh_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_output_test_mesh_LDADD = libsample.a liboutput.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
+tests_output_test_report_SOURCES = tests/output/test_report.c
+tests_output_test_report_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_output_test_report_LDADD = libsample.a liboutput.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+endif

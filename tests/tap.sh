@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# For the tests that are shell scripts: commands in, TAP out.  Sourced; each
+# script ends with `finish`.  $work is a folder of its own, removed at the end.
+# shellcheck shell=sh
+
+: "${WEFT:=$PWD/weft}" "${WEFT_SOURCE:=$PWD}"
+LC_ALL=C
+export LC_ALL
+unset NO_COLOR WEFT_PATH SOURCE_DATE_EPOCH
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+count=0
+failed=0
+
+# pass NAME; fail NAME
+pass() {
+    count=$((count + 1))
+    echo "ok $count - $1"
+}
+
+fail() {
+    count=$((count + 1))
+    failed=$((failed + 1))
+    echo "not ok $count - $1"
+}
+
+# skip NAME REASON
+skip() {
+    count=$((count + 1))
+    echo "ok $count - $1 # SKIP $2"
+}
+
+# check NAME COMMAND...: the command succeeds.
+check() {
+    name=$1
+    shift
+    if "$@" >"$work/.check" 2>&1; then
+        pass "$name"
+    else
+        fail "$name"
+        printf '%s\n' "$*" | sed 's/^/# /'
+        sed 's/^/# /' "$work/.check"
+    fi
+}
+
+# exits STATUS NAME COMMAND...: the command ends with this status; what it
+# printed is then in $work/out and $work/err.
+exits() {
+    wanted=$1
+    name=$2
+    shift 2
+    status=0
+    "$@" >"$work/out" 2>"$work/err" </dev/null || status=$?
+    if [ "$status" = "$wanted" ]; then
+        pass "$name"
+    else
+        fail "$name"
+        echo "# $*"
+        echo "# exit status $status instead of $wanted"
+        sed 's/^/# /' "$work/out" "$work/err"
+    fi
+}
+
+# out NAME PATTERN; err NAME PATTERN: what was printed has a line like that.
+out() { check "$1" grep -e "$2" "$work/out"; }
+err() { check "$1" grep -e "$2" "$work/err"; }
+
+# empty NAME FILE
+empty() {
+    if [ -s "$2" ]; then
+        fail "$1"
+        sed 's/^/# /' "$2"
+    else
+        pass "$1"
+    fi
+}
+
+# holds NAME FOLDER FILE...: the folder holds these files and no others.
+holds() {
+    name=$1
+    folder=$2
+    shift 2
+    check "$name" test "$(cd "$folder" && find . -mindepth 1 | sort | tr '\n' ' ')" = \
+        "$(for file in "$@"; do echo "./$file"; done | sort | tr '\n' ' ')"
+}
+
+finish() {
+    echo "1..$count"
+    [ "$failed" = 0 ]
+}
