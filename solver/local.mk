@@ -8,3 +8,8 @@ libsolver_a_SOURCES = \
     solver/dissection.c solver/dissection.h solver/springs.c solver/springs.h \
     solver/factor.c solver/factor.h solver/problem.c solver/problem.h solver/lbfgs.c \
     solver/newton.c solver/stopwatch.h
+
+libsolver_a_SOURCES += \
+    solver/triangle.c solver/triangle.h solver/triangle_mesh.c solver/triangle_mesh.h \
+    solver/triangle_model.h solver/triangle_kernel.h solver/triangle_layout.c \
+    solver/triangle_evaluate.c solver/triangle_transfer.c

@@ -7,4 +7,16 @@ check_PROGRAMS += tests/solver/test_patch
 tests_solver_test_patch_SOURCES = tests/solver/test_patch.c
 tests_solver_test_patch_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_solver_test_patch_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
+check_PROGRAMS += tests/solver/test_triangle_reference
+tests_solver_test_triangle_reference_SOURCES = tests/solver/test_triangle_reference.c \
+	tests/solver/reference.c tests/solver/reference.h
+tests_solver_test_triangle_reference_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_solver_test_triangle_reference_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
+check_PROGRAMS += tests/solver/test_triangle_states
+tests_solver_test_triangle_states_SOURCES = tests/solver/test_triangle_states.c tests/solver/reference.c tests/solver/reference.h
+tests_solver_test_triangle_states_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_solver_test_triangle_states_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 endif
+EXTRA_DIST += tests/solver/states/chains_6x8.txt
