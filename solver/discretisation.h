@@ -66,6 +66,7 @@ struct discretisation {
     long           elements;
     struct pattern pattern;
     bool           ordered;         /* unknowns are numbered in a fill-reducing elimination order */
+    int            parts[2];        /* ordered: [0, parts[0]) and [parts[0], parts[1]) couple through the rest alone; or 0, 0 */
     int            nnodes;
     const int     *node;            /* (nnodes) first of the three unknowns that are a node's position */
     int            threads;

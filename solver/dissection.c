@@ -10,6 +10,7 @@ struct box {
 
 struct dissection {
     int  nx, reach, next;
+    int  half[2];           /* ends of the two halves of the cut being closed: in the end, of the first */
     int *place;
 };
 
@@ -39,12 +40,17 @@ static void dissect(struct dissection *d, struct box b)
         middle.y1 = high.y0 = middle.y0 + d->reach;
     }
     dissect(d, low);
+    int first = d->next;
     dissect(d, high);
+    d->half[0] = first;
+    d->half[1] = d->next;
     number_box(d, middle);
 }
 
-void dissection_order(int nx, int ny, int reach, int *place)
+void dissection_order(int nx, int ny, int reach, int *place, int parts[2])
 {
     struct dissection d = {.nx = nx, .reach = reach, .place = place};
     dissect(&d, (struct box){0, nx, 0, ny});
+    parts[0] = d.half[0];
+    parts[1] = d.half[1];
 }

@@ -5,7 +5,9 @@
 #define WEFT_DISSECTION_H
 
 /* place (ny x nx, x fastest): the position of each node in the order.  Nodes
- * couple to others up to `reach` lines away, so separators are that wide. */
-void dissection_order(int nx, int ny, int reach, int *place);
+ * couple to others up to `reach` lines away, so separators are that wide.
+ * parts: where the first and the second half of the first cut end in the order
+ * (the separator follows); 0, 0 for a grid too small to cut. */
+void dissection_order(int nx, int ny, int reach, int *place, int parts[2]);
 
 #endif

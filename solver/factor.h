@@ -12,14 +12,17 @@
 struct factor;
 
 /* Analyses a pattern; with ordered it is factored as numbered, else in
- * CHOLMOD's best order.  NULL where the factor would not fit (CHOLMOD's limits or memory). */
-struct factor *factor_make(const struct pattern *pattern, bool ordered);
+ * CHOLMOD's best order.  parts: unknowns [0, parts[0]) and [parts[0], parts[1])
+ * do not couple, but through the rest; they are factored side by side, by the
+ * same arithmetic for one thread as for two.  parts[0] = 0: in one piece.
+ * NULL where the factor would not fit (CHOLMOD's limits or memory). */
+struct factor *factor_make(const struct pattern *pattern, bool ordered, const int parts[2], int threads);
 void           factor_free(struct factor *factor);
 
-/* Factors the matrix with these values (pattern.start[n]), lower triangle.
- * false: not positive definite (or out of memory: see factor_out_of_memory). */
-bool factor_numeric(struct factor *factor, const double *value);
-bool factor_out_of_memory(const struct factor *factor);
+enum factor_result { FACTOR_DONE, FACTOR_INDEFINITE, FACTOR_NO_MEMORY };
+
+/* Factors the matrix with these values (pattern.start[n]), lower triangle. */
+enum factor_result factor_numeric(struct factor *factor, const double *value);
 
 /* x (n) := H^-1 b (n); x = L^-1 P b; x = P^T L^-T b.  b and x may be the same. */
 void factor_solve(struct factor *factor, const double *b, double *x);

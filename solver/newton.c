@@ -24,8 +24,9 @@ static double dot(int n, const double *a, const double *b)
 /* Factors H + shift M, raising the shift until that is positive definite. */
 static bool factor_shifted(struct problem *p, const double *x, double *shift)
 {
-    while (!problem_factor(p, x, HESSIAN_EXACT, *shift)) {
-        if (problem_out_of_memory(p) || *shift > LAST_SHIFT)
+    enum factor_result result;
+    while ((result = problem_factor(p, x, HESSIAN_EXACT, *shift)) != FACTOR_DONE) {
+        if (result == FACTOR_NO_MEMORY || *shift > LAST_SHIFT)
             return false;
         *shift = fmax(8 * *shift, FIRST_SHIFT);
     }

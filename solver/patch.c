@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * Sheet and state in; energy, gradient and Hessian of C1 patches out: gather
- * eight elements of one colour, compute at Gauss points, scatter. */
+ * eight elements, compute at Gauss points, scatter. */
 #include "solver/patch.h"
 
 #include <stdlib.h>
@@ -190,7 +190,7 @@ LANES_KERNEL void patch_batch_hessian(const struct patch *p, int index, const do
         batch_hessian_of(&b, x, 9, 1, exact, value);
 }
 
-/* ---- all batches, colour by colour: no two elements of a colour share an unknown,
+/* ---- all batches: even stripes, then odd ones.  No two stripes of a parity share an unknown,
  *      so sums come in one order whatever the number of threads ---- */
 
 static struct fold_energy patch_energy(const struct discretisation *d, const double *restrict x, double growth,
@@ -198,10 +198,11 @@ static struct fold_energy patch_energy(const struct discretisation *d, const dou
 {
     const struct patch *p = (const struct patch *)d;
 #pragma omp parallel num_threads(d->threads) if (d->threads > 1)
-    for (int c = 0; c < p->ncolours; c++) {
-#pragma omp for schedule(static)
-        for (int i = p->colour[c]; i < p->colour[c + 1]; i++)
-            patch_batch_energy(p, i, x, growth, gradient, p->energy + 2 * i);
+    for (int parity = 0; parity < 2; parity++) {
+#pragma omp for schedule(dynamic)
+        for (int s = parity; s < p->nstripes; s += 2)
+            for (int i = p->stripe[s]; i < p->stripe[s + 1]; i++)
+                patch_batch_energy(p, i, x, growth, gradient, p->energy + 2 * i);
     }
     struct fold_energy e = {0};
     for (int i = 0; i < p->nbatches; i++)
@@ -222,10 +223,11 @@ static void patch_hessian(const struct discretisation *d, const double *restrict
         for (int j = 0; j < d->n; j++)
             memset(value + d->pattern.start[j], 0,
                    sizeof *value * (size_t)(d->pattern.start[j + 1] - d->pattern.start[j]));
-        for (int c = 0; c < p->ncolours; c++) {
-#pragma omp for schedule(static)
-            for (int i = p->colour[c]; i < p->colour[c + 1]; i++)
-                patch_batch_hessian(p, i, x, growth, kind == HESSIAN_EXACT, value);
+        for (int parity = 0; parity < 2; parity++) {
+#pragma omp for schedule(dynamic)
+            for (int s = parity; s < p->nstripes; s += 2)
+                for (int i = p->stripe[s]; i < p->stripe[s + 1]; i++)
+                    patch_batch_hessian(p, i, x, growth, kind == HESSIAN_EXACT, value);
         }
     }
     if (p->springs.count)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Sheet and resolution in; numbering, sparsity pattern, colours and tables of
+ * Sheet and resolution in; numbering, sparsity pattern, stripes and tables of
  * the patches out. */
 #include "solver/patch_grid.h"
 
@@ -8,6 +8,11 @@
 
 #include "solver/dissection.h"
 #include "solver/memory.h"
+
+enum {
+    SIDE_BY_SIDE = 3000,    /* unknowns from which halves are worth factoring apart */
+    MOST_STRIPES = 32
+};
 
 /* Derivatives on the sheet from those on the unit square: d/dx = 1/hx d/ds. */
 static void scale_derivatives(const struct patch *p, const double N[3][3][BASIS_MAX],
@@ -101,26 +106,29 @@ static void make_offsets(struct patch *p)
     }
 }
 
-/* Colours repeat every `span` elements either way, so that elements of one share no node. */
-static void make_batches(struct patch *p)
+/* Stripes across the longer side, each at least `span` elements deep: every
+ * other one shares no node with the next but one. */
+static void make_stripes(struct patch *p)
 {
-    int span = p->basis->span, capacity = (int)p->d.elements / LANES + span * span + 1;
-    p->ncolours = span * span;
-    p->colour = MEMORY_ARRAY(int, p->ncolours + 1);
-    p->batch = MEMORY_ARRAY(struct patch_batch, capacity);
-    for (int c = 0; c < p->ncolours; c++) {
-        p->colour[c] = p->nbatches;
-        int filled = LANES;
-        for (int y = c / span; y < p->ny; y += span)
-            for (int x = c % span; x < p->nx; x += span) {
+    bool across = p->nx > p->ny;
+    int deep = across ? p->nx : p->ny, wide = across ? p->ny : p->nx, span = p->basis->span;
+    p->nstripes = deep / span < MOST_STRIPES ? deep / span : MOST_STRIPES;
+    p->nstripes = p->nstripes ? p->nstripes : 1;
+    p->stripe = MEMORY_ARRAY(int, p->nstripes + 1);
+    p->batch = MEMORY_ARRAY(struct patch_batch, p->d.elements / LANES + p->nstripes);
+    for (int s = 0; s < p->nstripes; s++) {
+        p->stripe[s] = p->nbatches;
+        int filled = LANES, end = (int)((long)deep * (s + 1) / p->nstripes);
+        for (int i = (int)((long)deep * s / p->nstripes); i < end; i++)
+            for (int j = 0; j < wide; j++) {
                 if (filled == LANES)
                     filled = 0, p->nbatches++;
                 struct patch_batch *b = &p->batch[p->nbatches - 1];
-                b->element[filled++] = y * p->nx + x;
+                b->element[filled++] = across ? j * p->nx + i : i * p->nx + j;
                 b->count = filled;
             }
     }
-    p->colour[p->ncolours] = p->nbatches;
+    p->stripe[p->nstripes] = p->nbatches;
     p->energy = MEMORY_ARRAY(double, 2 * p->nbatches);
 }
 
@@ -146,13 +154,16 @@ struct patch *patch_grid_make(const struct sheet *sheet, const struct basis *bas
 
     p->place = MEMORY_ARRAY(int, p->d.nnodes);
     p->node = MEMORY_ARRAY(int, p->d.nnodes);
-    dissection_order(p->mx, p->my, basis->span - 1, p->place);
+    int parts[2];
+    dissection_order(p->mx, p->my, basis->span - 1, p->place, parts);
+    for (int k = 0; k < 2 && p->d.n > SIDE_BY_SIDE; k++)
+        p->d.parts[k] = p->per_node * parts[k];
     for (int i = 0; i < p->d.nnodes; i++)
         p->node[i] = p->per_node * i;
     p->d.node = p->node;
     make_pattern(p);
     make_offsets(p);
-    make_batches(p);
+    make_stripes(p);
     return p;
 }
 
@@ -163,7 +174,7 @@ void patch_grid_free(struct patch *p)
     free(p->d.pattern.start);
     free(p->d.pattern.row);
     free(p->offset);
-    free(p->colour);
+    free(p->stripe);
     free(p->batch);
     free(p->energy);
     springs_free(&p->springs);

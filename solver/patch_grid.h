@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * The patches' structured grid: numbering, sparsity, colours, tables of shape
+ * The patches' structured grid: numbering, sparsity, stripes, tables of shape
  * functions, and what follows from a state without derivatives of the energy. */
 #ifndef WEFT_PATCH_GRID_H
 #define WEFT_PATCH_GRID_H
@@ -32,8 +32,8 @@ struct patch {
     short                *offset;       /* (elements x pairs) see patch_offset */
     int                   npairs;       /* of distinct nodes of an element */
 
-    int                   ncolours;
-    int                  *colour;       /* (ncolours + 1) first batch of each colour */
+    int                   nstripes;
+    int                  *stripe;       /* (nstripes + 1) first batch of each stripe */
     int                   nbatches;
     struct patch_batch   *batch;        /* (nbatches) */
     double               *energy;       /* (nbatches x 2) scratch: stretching, bending */

@@ -110,7 +110,7 @@ static void regularise(struct problem *p, const double *x, double shift)
         p->hessian[diagonal[pin[k]]] += mean;
 }
 
-bool problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift)
+enum factor_result problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift)
 {
     double start = stopwatch();
     if (!p->hessian)
@@ -120,16 +120,11 @@ bool problem_factor(struct problem *p, const double *x, enum hessian_kind kind, 
     double assembled = stopwatch();
     p->effort->assemble_s += assembled - start;
     if (!p->factor)
-        p->factor = factor_make(&p->d->pattern, p->d->ordered);
-    bool done = p->factor && factor_numeric(p->factor, p->hessian);
+        p->factor = factor_make(&p->d->pattern, p->d->ordered, p->d->parts, p->d->threads);
+    enum factor_result result = p->factor ? factor_numeric(p->factor, p->hessian) : FACTOR_NO_MEMORY;
     p->effort->factorisations++;
     p->effort->factor_s += stopwatch() - assembled;
-    return done;
-}
-
-bool problem_out_of_memory(const struct problem *p)
-{
-    return !p->factor || factor_out_of_memory(p->factor);
+    return result;
 }
 
 bool problem_report(struct problem *p)

@@ -49,10 +49,8 @@ void problem_close(struct problem *p);
 /* Energy, gradient and their largest component at x; returns the total energy, not finite where x makes no sense. */
 double problem_evaluate(struct problem *p, const double *x);
 
-/* Factors H(x) + shift * mass, rigid modes of a free sheet pinned.  false: not positive definite.
- * OUTCOME_FAILED cases (memory) are told by problem_out_of_memory. */
-bool problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift);
-bool problem_out_of_memory(const struct problem *p);
+/* Factors H(x) + shift * mass, rigid modes of a free sheet pinned. */
+enum factor_result problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift);
 
 /* false once the observer asks to stop. */
 bool problem_report(struct problem *p);
