@@ -7,7 +7,8 @@ libsolver_a_SOURCES = \
     solver/patch_grid.c solver/patch_grid.h solver/patch_kernel.h \
     solver/dissection.c solver/dissection.h solver/springs.c solver/springs.h \
     solver/factor.c solver/factor.h solver/problem.c solver/problem.h solver/lbfgs.c \
-    solver/newton.c solver/stopwatch.h
+    solver/newton.c solver/stopwatch.h solver/descent.c solver/descent.h \
+    solver/fold.c solver/noise.h solver/shape.c solver/shape.h
 
 libsolver_a_SOURCES += \
     solver/triangle.c solver/triangle.h solver/triangle_mesh.c solver/triangle_mesh.h \

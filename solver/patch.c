@@ -9,6 +9,8 @@
 #include "solver/patch_grid.h"
 #include "solver/patch_kernel.h"
 
+enum { WORTH_THREADS = 1024 };      /* elements from which a second thread helps */
+
 /* ---- one batch of eight elements ---- */
 
 struct batch {
@@ -239,23 +241,20 @@ static void patch_free(struct discretisation *d)
     patch_grid_free((struct patch *)d);
 }
 
-static const struct discretisation_ops patch_ops = {
-    .kind = "patch",
-    .flat = patch_flat,
-    .energy = patch_energy,
-    .hessian = patch_hessian,
-    .mass = patch_mass,
-    .prolong = patch_prolong,
-    .sample = patch_sample,
-    .free = patch_free,
-};
+#define PATCH_OPS(name)                                                                                               \
+    {                                                                                                                 \
+        .kind = name, .flat = patch_flat, .energy = patch_energy, .hessian = patch_hessian, .mass = patch_mass,       \
+        .prolong = patch_prolong, .sample = patch_sample, .free = patch_free                                          \
+    }
+
+static const struct discretisation_ops patch_ops = PATCH_OPS("patch"), spline_ops = PATCH_OPS("spline");
 
 struct discretisation *patch_make(const struct sheet *sheet, const struct basis *basis, int per_stitch, int gauss,
                                   int threads)
 {
     struct patch *p = patch_grid_make(sheet, basis, per_stitch, gauss);
-    p->d.op = &patch_ops;
-    p->d.threads = threads;
+    p->d.op = basis->kind == BASIS_HERMITE ? &patch_ops : &spline_ops;
+    p->d.threads = p->d.elements < WORTH_THREADS ? 1 : threads;
     patch_springs(p);
     return &p->d;
 }

@@ -31,7 +31,7 @@ enum fold_status { FOLD_CONVERGED, FOLD_PRECISION, FOLD_SADDLE, FOLD_ITERATION_L
 /* "converged", "precision", "saddle", "iteration_limit", "failed" */
 const char *fold_status_name(enum fold_status status);
 
-/* Energies in young * length^3. */
+/* force * length */
 struct fold_energy { double total, stretching, bending, springs; };
 
 struct fold_step {

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A state in, a minimum (or the honest reason why not) out. */
+#include "solver/descent.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "solver/memory.h"
+
+static const double HANDOVER = 1e2;     /* Newton's share: the last factor of the gradient's decrease */
+enum { MOST_PUSHES = 12 };
+
+/* libLBFGS in the factor's coordinates far out, Newton where it converges quadratically. */
+static enum outcome settle_auto(struct problem *p, double *x)
+{
+    double tolerance = p->tolerance;
+    p->tolerance *= HANDOVER;
+    enum outcome outcome = plbfgs_minimise(p, x);
+    p->tolerance = tolerance;
+    if (outcome == OUTCOME_LIMIT || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
+        return outcome;
+    return newton_minimise(p, x);
+}
+
+enum outcome descent_settle(struct problem *p, enum method method, double *x)
+{
+    switch (method) {
+    case METHOD_NEWTON: return newton_minimise(p, x);
+    case METHOD_PLBFGS: return plbfgs_minimise(p, x);
+    case METHOD_LBFGS: return lbfgs_minimise(p, x);
+    default: return settle_auto(p, x);
+    }
+}
+
+/* Goes from x along a direction as long as the energy falls, doubling from a
+ * small part of the thickness; y is where it was lowest. */
+static bool slide(struct problem *p, const double *x, const double *direction, double sign, double *y)
+{
+    const struct discretisation *d = p->d;
+    double furthest = 0, best = problem_evaluate(p, x), taken = 0;
+    for (int i = 0; i < d->nnodes; i++)
+        for (int c = 0; c < 3; c++)
+            furthest = fmax(furthest, fabs(direction[d->node[i] + c]));
+    for (double length = 0.02 * d->sheet->thickness / furthest; length * furthest < 1e3 * d->sheet->thickness; length *= 2) {
+        for (int i = 0; i < d->n; i++)
+            y[i] = x[i] + sign * length * direction[i];
+        double there = problem_evaluate(p, y);
+        if (!(there < best))
+            break;
+        best = there, taken = length;
+    }
+    for (int i = 0; i < d->n; i++)
+        y[i] = x[i] + sign * taken * direction[i];
+    return taken > 0;
+}
+
+/* Down both sides of a saddle; x becomes the lower of the two ends. */
+static enum outcome leave_saddle(struct problem *p, enum method method, double *x, const double *direction)
+{
+    size_t size = sizeof *x * (size_t)p->d->n;
+    double *y = MEMORY_ARRAY(double, p->d->n), *lowest = MEMORY_ARRAY(double, p->d->n);
+    double energy = INFINITY;
+    enum outcome outcome = OUTCOME_STALLED;
+    for (double sign = -1; sign <= 1; sign += 2) {
+        if (!slide(p, x, direction, sign, y))
+            continue;
+        enum outcome end = descent_settle(p, method, y);
+        if (p->energy.total < energy || end == OUTCOME_STOPPED) {
+            energy = p->energy.total;
+            outcome = end;
+            memcpy(lowest, y, size);
+        }
+        if (end == OUTCOME_STOPPED)
+            break;
+    }
+    if (isfinite(energy))
+        memcpy(x, lowest, size);
+    problem_evaluate(p, x);
+    free(y), free(lowest);
+    return outcome;
+}
+
+struct descent descent_to_minimum(struct problem *p, enum method method, double *x)
+{
+    struct descent end = {.outcome = descent_settle(p, method, x)};
+    double *direction = MEMORY_ARRAY(double, p->d->n);
+    while (end.outcome == OUTCOME_CONVERGED || end.outcome == OUTCOME_PRECISION) {
+        end.minimum = newton_is_minimum(p, x, direction);
+        if (end.minimum || end.pushes == MOST_PUSHES)
+            break;
+        enum outcome outcome = leave_saddle(p, method, x, direction);
+        if (outcome == OUTCOME_STALLED)
+            break;
+        end.outcome = outcome;
+        end.pushes++;
+    }
+    free(direction);
+    return end;
+}

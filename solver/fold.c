@@ -1,0 +1,315 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The driver: growth on the coarsest level, then level by level to the one
+ * asked for, the last to the full tolerance. */
+#include "solver/fold.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#include "solver/descent.h"
+#include "solver/memory.h"
+#include "solver/noise.h"
+#include "solver/patch.h"
+#include "solver/shape.h"
+#include "solver/sheet.h"
+
+static const double GROWING = 1e-4;     /* tolerance of a growth step, young * thickness^2 */
+static const double COARSE = 1e-6;      /* tolerance of a level that is refined further */
+
+struct fold_state {
+    struct discretisation *d;
+    double                *x;           /* (n) */
+    double                 growth;
+};
+
+struct fold {
+    const struct sheet         *sheet;
+    const struct fold_observer *observer;
+    struct fold_record         *record;
+    struct fold_state          *state;
+    struct problem              problem;
+    struct effort               effort;
+    int                         threads;
+    int                         pushes;     /* saddles left on all levels */
+};
+
+/* ---- levels ---- */
+
+enum { GAUSS_COARSE = 3, GAUSS = 4 };
+
+/* The level a fold grows on: for patches the spline on the stitches' lines,
+ * for the paper's own way (plain libLBFGS) the final one. */
+static struct discretisation *first_level(const struct fold *fold)
+{
+    const struct sheet *sheet = fold->sheet;
+    int per_stitch = sheet->mesh.per_stitch ? sheet->mesh.per_stitch : 1;
+    if (sheet->solve.method == METHOD_LBFGS)
+        return patch_make(sheet, &basis_hermite, per_stitch, GAUSS, fold->threads);
+    return patch_make(sheet, &basis_spline, 1, GAUSS_COARSE, fold->threads);
+}
+
+/* The level after this one on the way to per_stitch, NULL at the end. */
+static struct discretisation *next_level(const struct fold *fold, const struct discretisation *d)
+{
+    int wanted = fold->sheet->mesh.per_stitch ? fold->sheet->mesh.per_stitch : 1;
+    bool spline = strcmp(d->op->kind, "spline") == 0;
+    int per_stitch = spline ? 1 : wanted % (2 * d->per_stitch) == 0 ? 2 * d->per_stitch : wanted;
+    if (!spline && d->per_stitch >= wanted)
+        return NULL;
+    return patch_make(fold->sheet, &basis_hermite, per_stitch, GAUSS, fold->threads);
+}
+
+static bool progress(void *self, double growth, int iterations, double energy)
+{
+    const struct fold *fold = self;
+    const struct fold_observer *o = fold->observer;
+    return !o || !o->progress || o->progress(o->self, growth, iterations, energy * fold->sheet->young);
+}
+
+/* Makes the state's level the one that is minimised on. */
+static void open_level(struct fold *fold, double growth)
+{
+    problem_open(&fold->problem, fold->state->d, &fold->effort);
+    fold->problem.limit = fold->sheet->solve.max_iterations;
+    fold->problem.progress = progress;
+    fold->problem.progress_self = fold;
+    fold->problem.growth = fold->state->growth = growth;
+}
+
+static void start_level(struct fold *fold)
+{
+    const struct sheet *sheet = fold->sheet;
+    struct fold_state *state = fold->state;
+    state->d = first_level(fold);
+    state->x = MEMORY_ARRAY(double, state->d->n);
+    state->d->op->flat(state->d, state->x);
+    open_level(fold, 0);
+    uint64_t seed = sheet->solve.seed;
+    for (int i = 0; i < state->d->nnodes; i++)
+        state->x[state->d->node[i] + 2] += sheet->solve.noise * sheet->thickness * noise_next(&seed);
+}
+
+static void replace_level(struct fold *fold, struct discretisation *finer)
+{
+    struct fold_state *state = fold->state;
+    double *x = MEMORY_ARRAY(double, finer->n);
+    state->d->op->prolong(state->d, state->x, finer, x);
+    problem_close(&fold->problem);
+    state->d->op->free(state->d);
+    free(state->x);
+    state->d = finer;
+    state->x = x;
+    open_level(fold, state->growth);
+}
+
+/* ---- record ---- */
+
+static struct fold_energy scaled(struct fold_energy e, double young)
+{
+    return (struct fold_energy){e.total * young, e.stretching * young, e.bending * young, e.springs * young};
+}
+
+static double square(double a)
+{
+    return a * a;
+}
+
+/* Appends a step and tells the observer; false when it asks to stop. */
+static bool record_step(struct fold *fold, int iterations)
+{
+    struct fold_record *record = fold->record;
+    const struct fold_observer *o = fold->observer;
+    struct fold_step step = {.growth = fold->state->growth, .iterations = iterations,
+                             .energy = scaled(fold->problem.energy, fold->sheet->young),
+                             .gradient_max = fold->problem.gradient_max / square(fold->sheet->thickness)};
+    if (step.growth > 0) {
+        record->step = memory_grow(record->step, (size_t)record->nsteps + 1, sizeof *record->step);
+        record->step[record->nsteps++] = step;
+    }
+    return !o || !o->step || o->step(o->self, &step, fold->state);
+}
+
+static void record_shape(struct fold *fold)
+{
+    const struct sheet *sheet = fold->sheet;
+    struct surface surface = surface_make(sheet->columns, sheet->rows, fold->state->d->per_stitch);
+    fold_sample(fold->state, &surface);
+    shape_measure(&surface, sheet->columns * sheet->dx, sheet->rows * sheet->dy, fold->record);
+    surface_free(&surface);
+}
+
+static double flat_energy(const struct fold *fold)
+{
+    const struct discretisation *d = fold->state->d;
+    double *x = MEMORY_ARRAY(double, d->n);
+    d->op->flat(d, x);
+    double energy = d->op->energy(d, x, 1, NULL).total;
+    free(x);
+    return energy;
+}
+
+static const char *method_name(enum method method)
+{
+    static const char *const name[] = {"plbfgs+newton", "newton", "plbfgs", "lbfgs"};
+    return name[method];
+}
+
+static enum fold_status status_of(struct descent end)
+{
+    switch (end.outcome) {
+    case OUTCOME_CONVERGED: return end.minimum ? FOLD_CONVERGED : FOLD_SADDLE;
+    case OUTCOME_PRECISION: return end.minimum ? FOLD_PRECISION : FOLD_SADDLE;
+    case OUTCOME_LIMIT: return FOLD_ITERATION_LIMIT;
+    default: return FOLD_FAILED;
+    }
+}
+
+static const char *remark_of(const struct fold *fold, struct descent end)
+{
+    switch (end.outcome) {
+    case OUTCOME_STOPPED: return "stopped on request";
+    case OUTCOME_STALLED: return "no descent direction was found at a gradient above the tolerance";
+    case OUTCOME_FAILED: return "the energy is not finite, or its factor does not fit in memory";
+    default: break;
+    }
+    if (!end.minimum && (end.outcome == OUTCOME_CONVERGED || end.outcome == OUTCOME_PRECISION))
+        return "the state is a saddle that pushing did not leave";
+    return fold->pushes ? "a saddle was met on the way and left to its lower side" : NULL;
+}
+
+static void finish_record(struct fold *fold, struct descent end)
+{
+    const struct discretisation *d = fold->state->d;
+    const struct effort *effort = &fold->effort;
+    struct fold_record *record = fold->record;
+    double young = fold->sheet->young;
+    record->kind = fold->sheet->mesh.discretisation == DISCRETISATION_PATCH ? "patch" : "triangle";
+    record->per_stitch = d->per_stitch;
+    record->unknowns = d->n;
+    record->elements = d->elements;
+    record->energy = scaled(fold->problem.energy, young);
+    record->energy_flat = flat_energy(fold) * young;
+    record->energy_error = record->shape_error = -1;
+    record->status = status_of(end);
+    record->remark = remark_of(fold, end);
+    record->method = method_name(fold->sheet->solve.method);
+    record->growth_steps = fold->sheet->solve.steps;
+    record->iterations = effort->iterations;
+    record->evaluations = effort->evaluations;
+    record->factorisations = effort->factorisations;
+    record->gradient_max = fold->problem.gradient_max / square(fold->sheet->thickness);
+    record->positive_definite = end.minimum;
+    record->threads = fold->threads;
+    record->assemble_s = effort->assemble_s;
+    record->factor_s = effort->factor_s;
+    record->evaluate_s = effort->evaluate_s;
+    record->solve_s = effort->solve_s;
+    record_shape(fold);
+}
+
+/* ---- growth and refinement ---- */
+
+static double tolerance_of(const struct fold *fold, double loose)
+{
+    return fmax(loose, fold->sheet->solve.tolerance) * square(fold->sheet->thickness);
+}
+
+static bool may_go_on(enum outcome outcome)
+{
+    return outcome != OUTCOME_STOPPED && outcome != OUTCOME_LIMIT && outcome != OUTCOME_FAILED;
+}
+
+/* All growth steps but the last, whose end is polished later. */
+static enum outcome grow(struct fold *fold)
+{
+    const struct solve *solve = &fold->sheet->solve;
+    problem_evaluate(&fold->problem, fold->state->x);
+    if (!record_step(fold, 0))
+        return OUTCOME_STOPPED;
+    fold->problem.tolerance = tolerance_of(fold, GROWING);
+    for (int step = 1; step < solve->steps; step++) {
+        int before = fold->effort.iterations;
+        fold->problem.growth = fold->state->growth = (double)step / solve->steps;
+        enum outcome outcome = descent_settle(&fold->problem, solve->method, fold->state->x);
+        if (!may_go_on(outcome))
+            return outcome;
+        if (!record_step(fold, fold->effort.iterations - before))
+            return OUTCOME_STOPPED;
+    }
+    fold->problem.growth = fold->state->growth = 1;
+    return OUTCOME_CONVERGED;
+}
+
+/* The full curvature, from the level of the growth to the last. */
+static struct descent refine(struct fold *fold)
+{
+    const struct solve *solve = &fold->sheet->solve;
+    for (;;) {
+        struct discretisation *finer = next_level(fold, fold->state->d);
+        fold->problem.tolerance = tolerance_of(fold, finer ? COARSE : 0);
+        struct descent end = descent_to_minimum(&fold->problem, solve->method, fold->state->x);
+        fold->pushes += end.pushes;
+        if (!finer)
+            return end;
+        if (!may_go_on(end.outcome)) {
+            finer->op->free(finer);
+            return end;
+        }
+        replace_level(fold, finer);
+    }
+}
+
+static int thread_count(const struct fold_options *options)
+{
+#ifdef _OPENMP
+    return options->threads > 0 ? options->threads : omp_get_num_procs();
+#else
+    (void)options;
+    return 1;
+#endif
+}
+
+struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options *options,
+                            const struct fold_observer *observer, struct fold_record *record)
+{
+    *record = (struct fold_record){.status = FOLD_FAILED};
+    struct fold fold = {.sheet = sheet, .observer = observer, .record = record,
+                        .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options)};
+    start_level(&fold);
+    struct descent end = {.outcome = grow(&fold)};
+    if (end.outcome == OUTCOME_CONVERGED) {
+        int before = fold.effort.iterations;
+        end = refine(&fold);
+        if (may_go_on(end.outcome))
+            record_step(&fold, fold.effort.iterations - before);
+    }
+    finish_record(&fold, end);
+    problem_close(&fold.problem);
+    return fold.state;
+}
+
+void fold_free(struct fold_state *state)
+{
+    if (!state)
+        return;
+    state->d->op->free(state->d);
+    free(state->x);
+    free(state);
+}
+
+void fold_sample(const struct fold_state *state, struct surface *surface)
+{
+    const struct sheet *sheet = state->d->sheet;
+    state->d->op->sample(state->d, state->x, state->growth, surface);
+    if (sheet->spring <= 0)
+        shape_align(surface);
+    size_t cells = (size_t)surface->nx * (size_t)surface->ny;
+    for (size_t i = 0; i < cells; i++) {
+        surface->stretching[i] *= sheet->young;
+        surface->bending[i] *= sheet->young;
+    }
+}
