@@ -8,17 +8,18 @@
 
 #include "solver/memory.h"
 
-static const double HANDOVER = 1e2;     /* Newton's share: the last factor of the gradient's decrease */
+static const double HANDOVER = 1e-6;    /* gradient, young * thickness^2, below which Newton takes over */
 enum { MOST_PUSHES = 12 };
 
 /* libLBFGS in the factor's coordinates far out, Newton where it converges quadratically. */
 static enum outcome settle_auto(struct problem *p, double *x)
 {
-    double tolerance = p->tolerance;
-    p->tolerance *= HANDOVER;
+    double tolerance = p->tolerance, h = p->d->sheet->thickness;
+    p->tolerance = fmax(tolerance, HANDOVER * h * h);
     enum outcome outcome = plbfgs_minimise(p, x);
     p->tolerance = tolerance;
-    if (outcome == OUTCOME_LIMIT || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
+    if ((outcome == OUTCOME_CONVERGED && p->gradient_max <= tolerance) ||
+        outcome == OUTCOME_LIMIT || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
         return outcome;
     return newton_minimise(p, x);
 }
