@@ -1,3 +1,18 @@
 # Options and subcommands.
 noinst_LIBRARIES += libcli.a
-libcli_a_SOURCES = lang/scene.h
+libcli_a_SOURCES = \
+    cli/chart.c \
+    cli/check.c \
+    cli/command.c cli/command.h \
+    cli/help.c \
+    cli/interrupt.c cli/interrupt.h \
+    cli/list.c \
+    cli/options.c cli/options.h \
+    cli/outputs.c cli/outputs.h \
+    cli/params.c \
+    cli/progress.c cli/progress.h \
+    cli/run.c \
+    cli/script.c cli/script.h \
+    cli/streams.c cli/streams.h \
+    cli/suggest.c cli/suggest.h \
+    cli/version.c

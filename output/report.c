@@ -85,7 +85,7 @@ static void add_energy(cJSON *root, const struct fold_record *r)
     json_number(energy, "springs", r->energy.springs);
     json_number(energy, "flat", r->energy_flat);
     json_number(energy, "error_estimate", estimate(r->energy_error));
-    json_text(energy, "unit", "young*length^3");
+    json_text(energy, "unit", "force*length");
 }
 
 static void add_solve(cJSON *root, const struct report *report)

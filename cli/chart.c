@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * `weft chart`: a script in, its stitch chart out, as text or as a file. */
+#include <config.h>
+
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/outputs.h"
+#include "cli/script.h"
+#include "output/chart.h"
+
+static bool print_chart(struct file_log *log, const struct scene *scene, bool grid)
+{
+    struct file *file = file_stdout(log);
+    if (file && grid)
+        chart_grid(file, scene);
+    else if (file)
+        chart_text(file, scene);
+    return file && file_commit(file);
+}
+
+/* PATH or chart:PATH, to the path. */
+static const char *chart_path(const char *wish)
+{
+    const char *prefix = "chart:";
+    return strncmp(wish, prefix, strlen(prefix)) == 0 ? wish + strlen(prefix) : wish;
+}
+
+static enum status write_charts(const struct options *options, const struct scene *scene)
+{
+    struct file_log log = {0};
+    bool done = options->noutputs > 0 || print_chart(&log, scene, options->grid);
+    for (int i = 0; i < options->noutputs && done; i++)
+        done = outputs_write_chart(&log, chart_path(options->output[i]), scene);
+    if (log.error)
+        fprintf(stderr, "weft: %s\n", log.error);
+    file_log_free(&log);
+    return done ? STATUS_DONE : STATUS_FILES;
+}
+
+enum status command_chart(const struct options *options)
+{
+    for (int i = 0; i < options->noutputs; i++)
+        if (!outputs_has_chart(chart_path(options->output[i])))
+            return options_wrong(options, "a chart is written as .txt, not as '%s'", options->output[i]);
+
+    /* The outputs of a chart are its own, not the script's. */
+    struct options only_script = *options;
+    only_script.noutputs = 0;
+    struct script script;
+    enum status status = script_load(&script, options->operand[0], &only_script);
+    if (status == STATUS_DONE)
+        status = write_charts(options, script.scene);
+    script_free(&script);
+    return status;
+}

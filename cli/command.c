@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The table of subcommands: a name in, its function out. */
+#include "cli/command.h"
+
+#include <string.h>
+
+enum { ANY_NUMBER = 1 << 30 };
+
+const struct command command_table[] = {
+    {"run", "FILE", 1, 1, command_run, "fold a swatch and write what the file and -o ask for",
+     "Compiles FILE, folds its swatch and writes its outputs and those of -o. The\n"
+     "kind of an output follows from its extension, or is named: KIND:PATH. An\n"
+     "existing file is replaced only by a complete one. Ctrl-C stops the run and\n"
+     "keeps the growth steps that are complete. `weft FILE` is the same.\n"},
+    {"check", "FILE...", 1, ANY_NUMBER, command_check, "check scripts, fold nothing",
+     "Compiles each FILE, reports every error at its place and prints the size of\n"
+     "the swatch.\n"},
+    {"chart", "FILE", 1, 1, command_chart, "print the stitch chart",
+     "Prints the right side of the fabric, top row first, with the row numbers at the\n"
+     "right of right-side rows and at the left of wrong-side rows. With --grid: for\n"
+     "programs, after a header \"# 1 1\" a line of stitch names for each row, the\n"
+     "bottom row first; -o writes this form to a file.\n"},
+    {"params", "FILE", 1, 1, command_params, "list the parameters a script can be given",
+     "Prints each param of FILE with its value, range and text: what -D can set.\n"},
+    {"list", "[NAME]", 0, 1, command_list, "list the built-in motifs",
+     "Prints the motifs that `use ... from std` knows: name, the multiple of stitches\n"
+     "they repeat over, rows, and what they are. With NAME: one of them and its chart.\n"},
+    {"version", "", 0, 0, command_version, "print the version", "Prints the version of weft and of its report's schema.\n"},
+    {"help", "[COMMAND]", 0, 1, command_help, "explain weft or one of its commands", "Prints this.\n"},
+    {0},
+};
+
+const struct command *command_find(const char *name)
+{
+    for (const struct command *c = command_table; c->name; c++)
+        if (strcmp(c->name, name) == 0)
+            return c;
+    return NULL;
+}

@@ -1,0 +1,342 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The command line: argv in, a command with its operands and options out. */
+#include <config.h>
+
+#include "cli/options.h"
+
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/command.h"
+#include "cli/suggest.h"
+
+enum { THREADS_MAX = 1024 };
+
+/* ---- messages ---- */
+
+enum status options_wrong(const struct options *options, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fprintf(stderr, "weft: ");
+    vfprintf(stderr, format, arguments);
+    fprintf(stderr, "\nTry `weft help%s%s`.\n", options->command ? " " : "", options->command ? options->command->name : "");
+    va_end(arguments);
+    return STATUS_USAGE;
+}
+
+/* ---- what an option does with its value ---- */
+
+static bool take_override(struct options *o, const struct option *option, const char *value)
+{
+    o->set[o->nsets++] = (struct compile_override){option->key, value};
+    return true;
+}
+
+static bool take_define(struct options *o, const struct option *option, const char *value)
+{
+    (void)option;
+    const char *equals = strchr(value, '=');
+    if (!equals || equals == value) {
+        options_wrong(o, "-D takes name=value, not '%s'", value);
+        return false;
+    }
+    const char *name = arena_copy(&o->arena, value, (size_t)(equals - value));
+    o->define[o->ndefines++] = (struct compile_override){name, equals + 1};
+    return true;
+}
+
+static bool take_include(struct options *o, const struct option *option, const char *value)
+{
+    (void)option;
+    o->include[o->nincludes++] = value;
+    return true;
+}
+
+static bool take_output(struct options *o, const struct option *option, const char *value)
+{
+    (void)option;
+    o->output[o->noutputs++] = value;
+    return true;
+}
+
+static bool take_threads(struct options *o, const struct option *option, const char *value)
+{
+    (void)option;
+    char *end;
+    long n = strtol(value, &end, 10);
+    if (end == value || *end || n < 1 || n > THREADS_MAX) {
+        options_wrong(o, "-j takes a number of threads from 1 to %d, not '%s'", THREADS_MAX, value);
+        return false;
+    }
+    o->threads = (int)n;
+    return true;
+}
+
+static bool take_flag(struct options *o, const struct option *option, const char *value)
+{
+    (void)value;
+    *(bool *)((char *)o + option->place) = true;
+    return true;
+}
+
+/* Is word one of the words of a list separated by blanks? */
+static bool in_list(const char *list, const char *word)
+{
+    size_t length = strlen(word);
+    for (const char *at = list; length && (at = strstr(at, word)); at += length)
+        if ((at == list || at[-1] == ' ') && (at[length] == ' ' || !at[length]))
+            return true;
+    return false;
+}
+
+static bool take_word(struct options *o, const struct option *option, const char *value)
+{
+    if (!in_list(option->key, value)) {
+        options_wrong(o, "%s takes one of: %s; not '%s'", option->name ? option->name : option->letter, option->key, value);
+        return false;
+    }
+    *(const char **)((char *)o + option->place) = value;
+    return true;
+}
+
+/* ---- the table ---- */
+
+#define SCRIPT "run check chart params"
+
+const struct option option_table[] = {
+    {"-o", NULL, "[KIND:]PATH", "run chart", take_output, NULL, 0, "write this, too (may be repeated)"},
+    {"-D", NULL, "NAME=VALUE", "run check chart", take_define, NULL, 0, "set a param of the script"},
+    {"-I", NULL, "DIR", SCRIPT, take_include, NULL, 0, "look for used files here, too (and in $WEFT_PATH)"},
+    {NULL, "--accuracy", "PERCENT", "run", take_override, "solve.accuracy", 0, "wanted error of the energy, like 1%"},
+    {NULL, "--method", "NAME", "run", take_override, "solve.method", 0, "auto, newton, plbfgs or lbfgs"},
+    {NULL, "--discretisation", "NAME", "run", take_override, "mesh.discretisation", 0, "patch or triangle"},
+    {NULL, "--per-stitch", "N", "run", take_override, "mesh.per_stitch", 0, "cells along a stitch's side: auto, 1, 2, 4"},
+    {NULL, "--steps", "N", "run", take_override, "solve.steps", 0, "growth steps"},
+    {NULL, "--seed", "N", "run", take_override, "solve.seed", 0, "seed of the starting noise"},
+    {"-j", NULL, "N", "run", take_threads, NULL, 0, "threads (default: one a processor)"},
+    {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
+    {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},
+    {NULL, "--json", NULL, "params version", take_flag, NULL, offsetof(struct options, json), "as JSON"},
+    {"-W", NULL, "error", SCRIPT, take_word, "error", offsetof(struct options, warnings), "treat warnings as errors"},
+    {"-q", "--quiet", NULL, SCRIPT, take_flag, NULL, offsetof(struct options, quiet), "print errors alone"},
+    {"-v", "--verbose", NULL, "run", take_flag, NULL, offsetof(struct options, verbose), "say more about the solve"},
+    {NULL, "--color", "WHEN", SCRIPT, take_word, "auto always never", offsetof(struct options, color), "auto, always or never (and $NO_COLOR)"},
+    {NULL, "--diagnostics", "FORM", SCRIPT, take_word, "human json", offsetof(struct options, diagnostics), "errors in a script: human or json"},
+    {"-h", "--help", NULL, NULL, take_flag, NULL, offsetof(struct options, help), "explain the command"},
+    {NULL, "--version", NULL, NULL, take_flag, NULL, offsetof(struct options, version), "print the version"},
+    {0},
+};
+
+bool options_belong(const struct option *option, const struct command *command)
+{
+    return !option->commands || in_list(option->commands, command->name);
+}
+
+/* ---- parsing ---- */
+
+/* The option called by the first length characters of word, or NULL. */
+static const struct option *find_option(const char *word, size_t length)
+{
+    for (const struct option *o = option_table; o->help; o++) {
+        const char *names[] = {o->letter, o->name};
+        for (int i = 0; i < 2; i++)
+            if (names[i] && strlen(names[i]) == length && memcmp(names[i], word, length) == 0)
+                return o;
+    }
+    return NULL;
+}
+
+static enum status unknown_option(const struct options *options, const char *word, size_t length)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)length, word);
+    struct suggestion nearest = suggest_begin(name);
+    for (const struct option *o = option_table; o->help; o++)
+        if (o->name)
+            suggest_word(&nearest, o->name);
+    if (length > 2 && nearest.word)
+        return options_wrong(options, "unknown option '%s'; did you mean %s?", name, nearest.word);
+    return options_wrong(options, "unknown option '%s'", name);
+}
+
+/* What is being parsed: where in argv, and which options were seen. */
+struct parse {
+    int                    argc, at;
+    char                 **argv;
+    const struct option  **seen;        /* (nseen) */
+    int                    nseen;
+};
+
+/* Gives an option its value: the rest of its word, or the next word. */
+static enum status take(struct options *options, struct parse *parse, const struct option *option, const char *rest)
+{
+    const char *called = option->name ? option->name : option->letter;
+    if (option->argument && !rest) {
+        if (parse->at + 1 == parse->argc)
+            return options_wrong(options, "%s wants a value: %s %s", called, called, option->argument);
+        rest = parse->argv[++parse->at];
+    } else if (!option->argument && rest) {
+        return options_wrong(options, "%s takes no value", called);
+    }
+    parse->seen[parse->nseen++] = option;
+    return option->take(options, option, rest) ? STATUS_DONE : STATUS_USAGE;
+}
+
+/* --name, --name=value */
+static enum status parse_long(struct options *options, struct parse *parse, const char *word)
+{
+    const char *equals = strchr(word, '=');
+    size_t length = equals ? (size_t)(equals - word) : strlen(word);
+    const struct option *option = find_option(word, length);
+    return option ? take(options, parse, option, equals ? equals + 1 : NULL) : unknown_option(options, word, length);
+}
+
+/* -q, -qv, -j4, -o path */
+static enum status parse_letters(struct options *options, struct parse *parse, const char *word)
+{
+    enum status status = STATUS_DONE;
+    for (const char *letter = word + 1; *letter && status == STATUS_DONE; letter++) {
+        const char name[2] = {'-', *letter};
+        const struct option *option = find_option(name, 2);
+        if (!option)
+            return unknown_option(options, name, 2);
+        if (option->argument)
+            return take(options, parse, option, letter[1] ? letter + 1 : NULL);
+        status = take(options, parse, option, NULL);
+    }
+    return status;
+}
+
+static enum status parse_words(struct options *options, struct parse *parse)
+{
+    bool only_operands = false;
+    enum status status = STATUS_DONE;
+    for (parse->at = 1; parse->at < parse->argc && status == STATUS_DONE; parse->at++) {
+        const char *word = parse->argv[parse->at];
+        if (only_operands || word[0] != '-' || !word[1])
+            options->operand[options->noperands++] = word;
+        else if (strcmp(word, "--") == 0)
+            only_operands = true;
+        else if (word[1] == '-')
+            status = parse_long(options, parse, word);
+        else
+            status = parse_letters(options, parse, word);
+    }
+    return status;
+}
+
+/* ---- the command ---- */
+
+/* A first operand that is neither a command nor a file: which is it meant to be? */
+static enum status unknown_command(const struct options *options, const char *word)
+{
+    struct suggestion nearest = suggest_begin(word);
+    for (const struct command *c = command_table; c->name; c++)
+        suggest_word(&nearest, c->name);
+    if (nearest.word)
+        return options_wrong(options, "there is no command or file '%s'; did you mean %s?", word, nearest.word);
+    return options_wrong(options, "there is no command or file '%s'", word);
+}
+
+/* Does the word look like a command rather than a file that is missing? */
+static bool looks_like_command(const char *word)
+{
+    return strcmp(word, "-") != 0 && !strpbrk(word, "./") && access(word, F_OK) != 0;
+}
+
+/* Takes the command off the operands; `weft FILE` is `weft run FILE`. */
+static enum status find_command(struct options *options)
+{
+    if (options->version || (options->noperands == 0 && options->help)) {
+        options->command = command_find(options->version ? "version" : "help");
+        return STATUS_DONE;
+    }
+    if (options->noperands == 0)
+        return options_wrong(options, "nothing to do: a FILE or a COMMAND is wanted");
+    const struct command *named = command_find(options->operand[0]);
+    if (!named && looks_like_command(options->operand[0]))
+        return unknown_command(options, options->operand[0]);
+    options->command = named ? named : &command_table[0];
+    if (named) {
+        options->operand++;
+        options->noperands--;
+    }
+    return STATUS_DONE;
+}
+
+/* Do operands and options fit the command? */
+static enum status check_command(const struct options *options, const struct parse *parse)
+{
+    const struct command *command = options->command;
+    for (int i = 0; i < parse->nseen; i++) {
+        const struct option *o = parse->seen[i];
+        if (!options_belong(o, command))
+            return options_wrong(options, "%s has no option %s (it belongs to: %s)", command->name,
+                                 o->name ? o->name : o->letter, o->commands);
+    }
+    if (options->help)
+        return STATUS_DONE;
+    if (options->noperands < command->least)
+        return options_wrong(options, "%s wants a FILE", command->name);
+    if (options->noperands > command->most)
+        return options_wrong(options, "%s takes no further operand '%s'", command->name, options->operand[command->most]);
+    return STATUS_DONE;
+}
+
+/* ---- the whole ---- */
+
+/* Room for as many of each as argv can hold: every option of one letter or more. */
+static void make_room(struct options *options, struct parse *parse)
+{
+    size_t n = 1;
+    for (int i = 1; i < parse->argc; i++)
+        n += strlen(parse->argv[i]) + 1;
+    options->operand = arena_array(&options->arena, const char *, n);
+    options->define = arena_array(&options->arena, struct compile_override, n);
+    options->set = arena_array(&options->arena, struct compile_override, n);
+    options->include = arena_array(&options->arena, const char *, n);
+    options->output = arena_array(&options->arena, const char *, n);
+    parse->seen = arena_array(&options->arena, const struct option *, n);
+}
+
+enum status options_parse(struct options *options, int argc, char **argv)
+{
+    struct parse parse = {.argc = argc, .argv = argv};
+    *options = (struct options){.color = "auto", .diagnostics = "human"};
+    make_room(options, &parse);
+    enum status status = parse_words(options, &parse);
+    if (status == STATUS_DONE)
+        status = find_command(options);
+    if (status == STATUS_DONE)
+        status = check_command(options, &parse);
+    return status;
+}
+
+void options_free(struct options *options)
+{
+    arena_free(&options->arena);
+}
+
+struct compile_options options_compile(const struct options *o)
+{
+    return (struct compile_options){
+        .define = o->define,   .ndefines = o->ndefines,
+        .set = o->set,         .nsets = o->nsets,
+        .include = o->include, .nincludes = o->nincludes,
+        .output = o->output,   .noutputs = o->noutputs,
+        .warnings_are_errors = o->warnings,
+    };
+}
+
+bool options_colored(const struct options *options)
+{
+    const char *no = getenv("NO_COLOR"), *terminal = getenv("TERM");
+    if (strcmp(options->color, "auto") != 0)
+        return strcmp(options->color, "always") == 0;
+    return !(no && *no) && isatty(STDERR_FILENO) && terminal && strcmp(terminal, "dumb") != 0;
+}

@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The files of a run: a scene's list of outputs, growth steps and the final
+ * state in; files out, each at its time. */
+#include <config.h>
+
+#include "cli/outputs.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/progress.h"
+#include "output/chart.h"
+#include "output/obj.h"
+#include "output/vtp.h"
+
+/* Samples along a stitch's side where an output does not say. */
+enum { SAMPLES_DEFAULT = 2 };
+
+/* ---- what can be written ---- */
+
+enum due { DUE_CHART, DUE_STEP, DUE_FINAL, DUE_REPORT };
+
+/* What is known when outputs are due: the members that make sense then. */
+struct occasion {
+    enum due                 due;
+    const struct fold_step  *step;
+    const struct fold_state *state;
+    const struct report     *report;
+};
+
+typedef bool write_output(struct outputs *outputs, int index, const struct occasion *now);
+static write_output write_report, write_chart, write_step, write_vtp, write_obj;
+
+static const struct writer {
+    enum output_kind kind;
+    const char      *extension;     /* the only one of the kind, NULL: any */
+    enum due         due;
+    write_output    *write;
+} writers[] = {
+    {OUTPUT_REPORT, NULL,   DUE_REPORT, write_report},
+    {OUTPUT_CHART,  ".txt", DUE_CHART,  write_chart},
+    {OUTPUT_PVD,    NULL,   DUE_STEP,   write_step},
+    {OUTPUT_VTP,    NULL,   DUE_FINAL,  write_vtp},
+    {OUTPUT_OBJ,    NULL,   DUE_FINAL,  write_obj},
+};
+enum { NWRITERS = sizeof writers / sizeof writers[0] };
+
+static bool has_extension(const char *path, const char *extension)
+{
+    size_t n = strlen(path), m = strlen(extension);
+    return n >= m && strcmp(path + n - m, extension) == 0;
+}
+
+static const struct writer *find_writer(enum output_kind kind, const char *path)
+{
+    for (const struct writer *w = writers; w < writers + NWRITERS; w++)
+        if (w->kind == kind && (!w->extension || has_extension(path, w->extension)))
+            return w;
+    return NULL;
+}
+
+bool outputs_has_chart(const char *path)
+{
+    return find_writer(OUTPUT_CHART, path);
+}
+
+/* ---- before any work ---- */
+
+static void print_place(const struct scene *scene, const struct output *output)
+{
+    if (output->line > 0)
+        fprintf(stderr, "%s:%d: error: ", scene->file, output->line);
+    else
+        fprintf(stderr, "weft: -o %s: ", output->path);
+}
+
+/* The error belongs to the script, or to the command line. */
+static enum status status_of(const struct output *output)
+{
+    return output->line > 0 ? STATUS_SCRIPT : STATUS_USAGE;
+}
+
+static enum status check_kind(const struct scene *scene, const struct output *output)
+{
+    if (find_writer(output->kind, output->path))
+        return STATUS_DONE;
+    print_place(scene, output);
+    fprintf(stderr, "this weft cannot write the %s '%s'; it can write:", output_kind_name(output->kind), output->path);
+    for (const struct writer *w = writers; w < writers + NWRITERS; w++)
+        fprintf(stderr, "%s %s%s%s%s", w == writers ? "" : ",", output_kind_name(w->kind), w->extension ? " (" : "",
+                w->extension ? w->extension : "", w->extension ? ")" : "");
+    fprintf(stderr, "\n");
+    return status_of(output);
+}
+
+static enum status check_twice(const struct scene *scene, int index)
+{
+    for (int i = 0; i < index; i++) {
+        if (strcmp(scene->output[i].path, scene->output[index].path) != 0)
+            continue;
+        print_place(scene, &scene->output[index]);
+        fprintf(stderr, "'%s' is written by two outputs\n", scene->output[index].path);
+        return status_of(&scene->output[index]);
+    }
+    return STATUS_DONE;
+}
+
+static enum status check_path(struct outputs *outputs, const struct output *output)
+{
+    if (file_check(&outputs->log, output->path))
+        return STATUS_DONE;
+    print_place(outputs->scene, output);
+    fprintf(stderr, "%s\n", outputs->log.error ? outputs->log.error : "out of memory");
+    return STATUS_FILES;
+}
+
+enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
+{
+    *outputs = (struct outputs){.scene = scene};
+    outputs->pvd = calloc((size_t)scene->noutputs + 1, sizeof *outputs->pvd);
+    if (!outputs->pvd)
+        return STATUS_FAILED;
+    for (int i = 0; i < scene->noutputs; i++) {
+        const struct output *output = &scene->output[i];
+        enum status status = check_kind(scene, output);
+        if (status == STATUS_DONE)
+            status = check_twice(scene, i);
+        if (status == STATUS_DONE)
+            status = check_path(outputs, output);
+        if (status != STATUS_DONE)
+            return status;
+        if (find_writer(output->kind, output->path)->due == DUE_STEP)
+            outputs->pvd[i] = pvd_begin(&outputs->log, output->path, scene);
+    }
+    return STATUS_DONE;
+}
+
+void outputs_end(struct outputs *outputs)
+{
+    for (int i = 0; outputs->pvd && i < outputs->scene->noutputs; i++)
+        pvd_end(&outputs->pvd[i]);
+    free(outputs->pvd);
+    file_log_free(&outputs->log);
+}
+
+/* ---- writing ---- */
+
+bool outputs_write_chart(struct file_log *log, const char *path, const struct scene *scene)
+{
+    struct file *file = file_create(log, path);
+    if (file)
+        chart_grid(file, scene);
+    return file && file_commit(file);
+}
+
+/* The state at the points an output asks for. */
+static struct surface sample(const struct scene *scene, int index, const struct fold_state *state)
+{
+    int wanted = scene->output[index].per_stitch, per_stitch = wanted > 0 ? wanted : SAMPLES_DEFAULT;
+    struct surface surface = surface_make(scene->grid->columns, scene->grid->rows, per_stitch);
+    fold_sample(state, &surface);
+    return surface;
+}
+
+static bool write_report(struct outputs *outputs, int index, const struct occasion *now)
+{
+    return report_write(&outputs->log, outputs->scene->output[index].path, now->report);
+}
+
+static bool write_chart(struct outputs *outputs, int index, const struct occasion *now)
+{
+    (void)now;
+    return outputs_write_chart(&outputs->log, outputs->scene->output[index].path, outputs->scene);
+}
+
+static bool write_step(struct outputs *outputs, int index, const struct occasion *now)
+{
+    struct surface surface = sample(outputs->scene, index, now->state);
+    bool done = pvd_step(&outputs->pvd[index], now->step->growth, &surface);
+    surface_free(&surface);
+    return done;
+}
+
+static bool write_vtp(struct outputs *outputs, int index, const struct occasion *now)
+{
+    struct surface surface = sample(outputs->scene, index, now->state);
+    bool done = vtp_write(&outputs->log, outputs->scene->output[index].path, outputs->scene, &surface, VTP_BINARY);
+    surface_free(&surface);
+    return done;
+}
+
+static bool write_obj(struct outputs *outputs, int index, const struct occasion *now)
+{
+    struct surface surface = sample(outputs->scene, index, now->state);
+    bool done = obj_write(&outputs->log, outputs->scene->output[index].path, outputs->scene, &surface);
+    surface_free(&surface);
+    return done;
+}
+
+/* All outputs that are due. */
+static bool write_due(struct outputs *outputs, const struct occasion *now)
+{
+    double begun = progress_clock();
+    bool done = true;
+    for (int i = 0; i < outputs->scene->noutputs && done; i++) {
+        const struct output *output = &outputs->scene->output[i];
+        const struct writer *writer = find_writer(output->kind, output->path);
+        if (writer->due == now->due)
+            done = writer->write(outputs, i, now);
+    }
+    outputs->write_s += progress_clock() - begun;
+    return done;
+}
+
+bool outputs_chart(struct outputs *outputs)
+{
+    return write_due(outputs, &(struct occasion){.due = DUE_CHART});
+}
+
+bool outputs_step(struct outputs *outputs, const struct fold_step *step, const struct fold_state *state)
+{
+    return write_due(outputs, &(struct occasion){.due = DUE_STEP, .step = step, .state = state});
+}
+
+bool outputs_final(struct outputs *outputs, const struct fold_state *state)
+{
+    return write_due(outputs, &(struct occasion){.due = DUE_FINAL, .state = state});
+}
+
+bool outputs_report(struct outputs *outputs, struct report *report)
+{
+    report->write_s = outputs->write_s;
+    return write_due(outputs, &(struct occasion){.due = DUE_REPORT, .report = report});
+}
+
+int outputs_steps(const struct outputs *outputs, int index)
+{
+    const struct output *output = &outputs->scene->output[index];
+    return find_writer(output->kind, output->path)->due == DUE_STEP ? outputs->pvd[index].nsteps : -1;
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The files of a run: a scene's list of outputs, growth steps and the final
+ * state in; files out, each at its time. */
+#ifndef WEFT_OUTPUTS_H
+#define WEFT_OUTPUTS_H
+
+#include "cli/options.h"
+#include "output/file.h"
+#include "output/pvd.h"
+#include "output/report.h"
+#include "solver/fold.h"
+
+struct outputs {
+    const struct scene *scene;
+    struct file_log     log;
+    struct pvd         *pvd;        /* (scene->noutputs), begun where the output is a collection */
+    double              write_s;    /* wall seconds so far */
+};
+
+/* Sees to it, before any work is done, that every output can be written: its
+ * kind is there, no two have one path, its folder takes files.  Says on standard
+ * error what does not fit.  Free with outputs_end in any case. */
+enum status outputs_begin(struct outputs *outputs, const struct scene *scene);
+void        outputs_end(struct outputs *outputs);
+
+/* Each writes the outputs that are due then; false: see outputs->log.error. */
+bool outputs_chart(struct outputs *outputs);
+bool outputs_step(struct outputs *outputs, const struct fold_step *step, const struct fold_state *state);
+bool outputs_final(struct outputs *outputs, const struct fold_state *state);
+bool outputs_report(struct outputs *outputs, struct report *report);
+
+/* Growth steps a collection has so far; -1: the output is not a collection. */
+int outputs_steps(const struct outputs *outputs, int index);
+
+/* Writes a chart in the format of path's extension; NULL error: done. */
+bool outputs_write_chart(struct file_log *log, const char *path, const struct scene *scene);
+bool outputs_has_chart(const char *path);
+
+#endif

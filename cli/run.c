@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * `weft run`: a script in; its swatch folded, its outputs written and a summary
+ * on standard output out. */
+#include <config.h>
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/resource.h>
+
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/outputs.h"
+#include "cli/progress.h"
+#include "cli/script.h"
+#include "solver/sheet.h"
+
+/* One run, from the command line to its end. */
+struct run {
+    const struct options *options;
+    double                begun;        /* on progress_clock */
+    struct script         script;
+    struct outputs        outputs;
+    struct progress       progress;
+    struct fold_record    record;
+};
+
+/* ---- while it folds ---- */
+
+static bool on_step(void *self, const struct fold_step *step, const struct fold_state *state)
+{
+    struct run *run = self;
+    progress_step(&run->progress, step);
+    return outputs_step(&run->outputs, step, state) && !interrupt_asked();
+}
+
+static bool on_progress(void *self, double growth, int iterations, double energy)
+{
+    struct run *run = self;
+    progress_iteration(&run->progress, growth, iterations, energy);
+    return !interrupt_asked();
+}
+
+/* ---- afterwards ---- */
+
+static const struct {
+    const char *sentence;
+    bool        good;       /* a minimum: exit status 0 */
+} ending[] = {
+    [FOLD_CONVERGED]       = {"converged", true},
+    [FOLD_PRECISION]       = {"converged to the precision of the arithmetic", true},
+    [FOLD_SADDLE]          = {"not converged: this is a saddle, not a minimum", false},
+    [FOLD_ITERATION_LIMIT] = {"not converged: the limit of iterations was reached", false},
+    [FOLD_FAILED]          = {"failed", false},
+};
+
+static void print_files(const struct outputs *outputs)
+{
+    const struct scene *scene = outputs->scene;
+    const char *before = "wrote";
+    for (int i = 0; i < scene->noutputs; i++) {
+        int steps = outputs_steps(outputs, i);
+        if (!file_log_find(&outputs->log, scene->output[i].path))
+            continue;
+        printf("%s %s", before, scene->output[i].path);
+        if (steps >= 0)
+            printf(" and its %d steps", steps);
+        before = ",";
+    }
+    printf("%s\n", scene->noutputs == 0 ? "nothing written: no output in the script, no -o" : "");
+}
+
+static void print_summary(const struct run *run)
+{
+    const struct fold_record *r = &run->record;
+    printf("%s: %s%s%s\n", run->script.scene->file, ending[r->status].sentence, r->remark ? "; " : "",
+           r->remark ? r->remark : "");
+    if (r->status != FOLD_FAILED) {
+        printf("energy %.6g: stretching %.6g, bending %.6g, springs %.6g", r->energy.total, r->energy.stretching,
+               r->energy.bending, r->energy.springs);
+        if (r->energy_error >= 0)
+            printf("; error about %.2g %%", 100 * r->energy_error);
+        printf("\nfolded to %.3g of its width and %.3g of its height, %.3g deep\n", r->extent_x, r->extent_y, r->extent_z);
+    }
+    if (run->options->verbose)
+        printf("%s, %d per stitch: %ld unknowns; %s: %d iterations, %d evaluations, %d factorisations; "
+               "largest gradient %.2g; %d threads\n",
+               r->kind, r->per_stitch, r->unknowns, r->method, r->iterations, r->evaluations, r->factorisations,
+               r->gradient_max, r->threads);
+    print_files(&run->outputs);
+    printf("%.2f s\n", progress_clock() - run->begun);
+}
+
+static bool write_report(struct run *run)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    struct report report = {
+        .scene = run->script.scene,
+        .record = &run->record,
+        .source = run->script.source->text,
+        .source_size = run->script.source->size,
+        .total_s = progress_clock() - run->begun,
+        .compile_s = run->script.compile_s,
+        .peak_bytes = usage.ru_maxrss * 1024,
+    };
+    return outputs_report(&run->outputs, &report);
+}
+
+/* A run that came to its end: good or bad is the solver's word. */
+static enum status finished(const struct run *run)
+{
+    bool good = ending[run->record.status].good;
+    if (!run->options->quiet)
+        print_summary(run);
+    else if (!good)
+        fprintf(stderr, "weft: %s: %s\n", run->script.scene->file, ending[run->record.status].sentence);
+    return good ? STATUS_DONE : STATUS_FAILED;
+}
+
+/* Says what stopped a run that could not end. */
+static enum status stopped(const struct run *run)
+{
+    if (run->outputs.log.error) {
+        fprintf(stderr, "weft: %s\n", run->outputs.log.error);
+        return STATUS_FILES;
+    }
+    fprintf(stderr, "weft: stopped after %d of %d growth steps", run->progress.done, run->progress.nsteps);
+    for (int i = 0; i < run->script.scene->noutputs; i++)
+        if (outputs_steps(&run->outputs, i) > 0)
+            fprintf(stderr, "; %s holds what is complete", run->script.scene->output[i].path);
+    fprintf(stderr, "\n");
+    return STATUS_FAILED;
+}
+
+/* ---- the run ---- */
+
+/* What a run would do. */
+static void print_plan(const struct scene *scene)
+{
+    printf("%s: %d stitches x %d rows, %d growth steps\n", scene->file, scene->grid->columns, scene->grid->rows,
+           scene->solve.steps);
+    for (int i = 0; i < scene->noutputs; i++)
+        printf("%s %s", i == 0 ? "would write" : ",", scene->output[i].path);
+    printf("%s", scene->noutputs > 0 ? "\n" : "");
+}
+
+/* Folds the scene's swatch and writes all its outputs. */
+static enum status fold_and_write(struct run *run)
+{
+    const struct fold_options options = {.threads = run->options->threads};
+    const struct fold_observer observer = {run, on_step, on_progress};
+    struct sheet *sheet = sheet_build(run->script.scene);
+    bool written = outputs_chart(&run->outputs);
+
+    interrupt_ask_first();
+    run->progress = progress_begin(run->script.scene->solve.steps, run->options->quiet);
+    struct fold_state *state = written ? fold_run(sheet, &options, &observer, &run->record) : NULL;
+    progress_end(&run->progress);
+
+    written = written && !run->outputs.log.error && !interrupt_asked();
+    bool folded = written && state && run->record.status != FOLD_FAILED;
+    written = written && (!folded || outputs_final(&run->outputs, state)) && write_report(run);
+    fold_free(state);
+    sheet_free(sheet);
+    return written ? finished(run) : stopped(run);
+}
+
+enum status command_run(const struct options *options)
+{
+    struct run run = {.options = options, .begun = progress_clock()};
+    enum status status = script_load(&run.script, options->operand[0], options);
+    if (status == STATUS_DONE)
+        status = outputs_begin(&run.outputs, run.script.scene);
+    if (status == STATUS_DONE && options->dry_run)
+        print_plan(run.script.scene);
+    else if (status == STATUS_DONE)
+        status = fold_and_write(&run);
+    fold_record_free(&run.record);
+    if (run.script.scene)
+        outputs_end(&run.outputs);
+    script_free(&run.script);
+    return status;
+}

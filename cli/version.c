@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * `weft version`: what this program is. */
+#include <config.h>
+
+#include <stdio.h>
+
+#include "cli/command.h"
+#include "output/json.h"
+#include "output/report.h"
+
+enum status command_version(const struct options *options)
+{
+    if (!options->json) {
+        printf("weft %s\n", PACKAGE_VERSION);
+        return STATUS_DONE;
+    }
+    cJSON *root = cJSON_CreateObject();
+    json_text(root, "weft", PACKAGE_VERSION);
+    json_integer(root, "schema", REPORT_SCHEMA);
+    json_text(root, "compiler", __VERSION__);
+    char *text = cJSON_Print(root);
+    cJSON_Delete(root);
+    if (!text)
+        return STATUS_FAILED;
+    printf("%s\n", text);
+    cJSON_free(text);
+    return STATUS_DONE;
+}
