@@ -11,6 +11,7 @@
 enum { LANES = 8 };
 typedef double lanes __attribute__((vector_size(8 * LANES)));
 typedef long long lanes_mask __attribute__((vector_size(8 * LANES)));
+typedef unsigned long long lanes_bits __attribute__((vector_size(8 * LANES)));
 
 #define LANES_INLINE static inline __attribute__((always_inline))
 #ifdef WEFT_CLONES
@@ -39,6 +40,7 @@ struct vec {
 
 #define lanes_set(a)       (lanes_set_(a).v)
 #define lanes_sqrt(a)      (lanes_sqrt_((struct lanes_one){a}).v)
+#define lanes_rsqrt(a)     (lanes_rsqrt_((struct lanes_one){a}).v)     /* 1/sqrt(a), a normal and > 0 */
 #define lanes_positive(a)  (lanes_positive_((struct lanes_one){a}).v)  /* max(a, 0) */
 #define vec_dot(a, b)      (vec_dot_(a, b).v)
 #define vec_scale(s, a)    vec_scale_((struct lanes_one){s}, a)
@@ -55,6 +57,19 @@ LANES_INLINE struct lanes_one lanes_sqrt_(struct lanes_one a)
     for (int l = 0; l < LANES; l++)
         r.v[l] = __builtin_sqrt(a.v[l]);
     return r;
+}
+
+/* Halving the exponent guesses y = 1/sqrt(a) to 4 %; then twice, with r = 1 - a y^2,
+ * y (1 - r)^(-1/2) to the third order.  A quarter of the time of a root and a division. */
+LANES_INLINE struct lanes_one lanes_rsqrt_(struct lanes_one a)
+{
+    lanes y = (lanes)(0x5fe6eb50c7b537a9 - ((lanes_bits)a.v >> 1));
+    LANES_UNROLL
+    for (int k = 0; k < 2; k++) {
+        lanes r = 1 - a.v * y * y;
+        y += y * r * (0.5 + r * (0.375 + r * 0.3125));
+    }
+    return (struct lanes_one){y};
 }
 
 LANES_INLINE struct lanes_one lanes_positive_(struct lanes_one a)

@@ -32,24 +32,27 @@ static void each_chunk(const struct triangle *t, chunk_work *work, const struct 
 
 /* ---- Gather and scatter ---------------------------------------------------- */
 
-LANES_INLINE void gather(const double *x, const int at[LANES], lanes *out)
+LANES_INLINE struct lanes_one gather(const double *x, const int at[LANES])
 {
-    double a[LANES] __attribute__((aligned(64)));
+    return (struct lanes_one){{x[at[0]], x[at[1]], x[at[2]], x[at[3]], x[at[4]], x[at[5]], x[at[6]], x[at[7]]}};
+}
+
+LANES_INLINE struct vec gather_vec(const double *x, const int at[LANES])
+{
+    return (struct vec){gather(x, at).v, gather(x + 1, at).v, gather(x + 2, at).v};
+}
+
+LANES_INLINE void scatter(struct lanes_one a, const int at[LANES], double *out)
+{
+    LANES_UNROLL
     for (int l = 0; l < LANES; l++)
-        a[l] = x[at[l]];
-    *out = *(lanes *)a;
+        out[at[l]] += a.v[l];
 }
 
-LANES_INLINE void gather_vec(const double *x, const int at[LANES], struct vec *out)
+LANES_INLINE void scatter_vec(struct vec a, const int at[LANES], double *out)
 {
-    gather(x, at, &out->x);
-    gather(x + 1, at, &out->y);
-    gather(x + 2, at, &out->z);
-}
-
-LANES_INLINE void scatter_vec(struct vec a, int count, const int at[LANES], double *out)
-{
-    for (int l = 0; l < count; l++) {
+    LANES_UNROLL
+    for (int l = 0; l < LANES; l++) {
         out[at[l]] += a.x[l];
         out[at[l] + 1] += a.y[l];
         out[at[l] + 2] += a.z[l];
@@ -60,13 +63,23 @@ LANES_INLINE void gather_state(const struct triangle_batch *b, const double *x, 
 {
     LANES_UNROLL
     for (int i = 0; i < 3; i++) {
-        gather_vec(x, b->vertex[i], &s->v[i]);
-        gather_vec(x, b->opposite[i], &s->o[i]);
-        gather(x, b->edge[i], &s->phi[i]);
-        s->side[i]  = __builtin_convertvector(b->side[i], lanes);
-        s->inner[i] = __builtin_convertvector(b->inner[i], lanes);
+        s->v[i] = gather_vec(x, b->vertex[i]);
+        s->o[i] = gather_vec(x, b->opposite[i]);
+        s->phi[i] = gather(x, b->edge[i]).v;
+        lanes twice = 2 * (lanes)((lanes_mask)b->share[i] & 0x7fffffffffffffff);
+        s->inner[i] = 2 - twice;
+        s->side[i]  = (3 - twice) * b->share[i];
     }
 }
+
+/* Zeros in the lanes that repeat the first. */
+LANES_INLINE struct lanes_one alive(struct lanes_one a, int count)
+{
+    const lanes_mask lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    return (struct lanes_one){(lanes)((lanes_mask)a.v & (lane < count))};
+}
+
+#define ALIVE(a, count) (alive((struct lanes_one){a}, count).v)
 
 /* State -> shape, angles and response of a batch. */
 LANES_INLINE void respond(const struct triangle *t, const struct triangle_batch *b, double growth,
@@ -88,7 +101,7 @@ LANES_INLINE void respond(const struct triangle *t, const struct triangle_batch 
 
 LANES_KERNEL static void chunk_energy(const struct triangle *t, int chunk, const struct job *job)
 {
-    double stretching = 0, bending = 0;
+    lanes stretching = {0}, bending = {0};
     for (int k = t->chunk_start[chunk]; k < t->chunk_start[chunk + 1]; k++) {
         const struct triangle_batch *b = &t->batch[k];
         struct triangle_state s;
@@ -98,12 +111,15 @@ LANES_KERNEL static void chunk_energy(const struct triangle *t, int chunk, const
         struct triangle_response r;
         gather_state(b, job->x, &s);
         respond(t, b, job->growth, &s, &shape, across, &alpha, &r);
-        for (int l = 0; l < b->count; l++) {
-            stretching += r.stretching[l];
-            bending += r.bending[l];
-        }
+        stretching += ALIVE(r.stretching, b->count);
+        bending += ALIVE(r.bending, b->count);
         if (!job->out)
             continue;
+        LANES_UNROLL
+        for (int i = 0; i < 3; i++) {
+            r.kappa[i] = ALIVE(r.kappa[i], b->count);
+            r.fa[i]    = ALIVE(r.fa[i], b->count);
+        }
         struct vec gv[3] = { 0 }, go[3];
         lanes gphi[3];
         LANES_UNROLL
@@ -111,14 +127,16 @@ LANES_KERNEL static void chunk_energy(const struct triangle *t, int chunk, const
             triangle_edge_force(&s, &shape, &r, i, &across[i], gv, go, gphi);
         LANES_UNROLL
         for (int i = 0; i < 3; i++) {
-            scatter_vec(gv[i], b->count, b->vertex[i], job->out);
-            scatter_vec(go[i], b->count, b->opposite[i], job->out);
-            for (int l = 0; l < b->count; l++)
-                job->out[b->edge[i][l]] += gphi[i][l];
+            scatter_vec(gv[i], b->vertex[i], job->out);
+            scatter_vec(go[i], b->opposite[i], job->out);
+            scatter((struct lanes_one){gphi[i]}, b->edge[i], job->out);
         }
     }
-    job->energy[chunk][0] = stretching;
-    job->energy[chunk][1] = bending;
+    job->energy[chunk][0] = job->energy[chunk][1] = 0;
+    for (int l = 0; l < LANES; l++) {
+        job->energy[chunk][0] += stretching[l];
+        job->energy[chunk][1] += bending[l];
+    }
 }
 
 struct fold_energy triangle_energy(const struct discretisation *d, const double *restrict x, double growth,
@@ -217,17 +235,14 @@ void triangle_hessian_values(const struct discretisation *d, const double *restr
 /* ---- Increments -------------------------------------------------------------
  * The Hessian counts an edge's angle as gamma, from a frame that follows the edge;
  * phi counts it from the mean of the faces' normals:
- *   dphi_e = dgamma_e - Sum_faces side_i weight_i Sum_k p_ik N.dv_k,   weight = 1/2, on the boundary 1. */
+ *   dphi_e = dgamma_e - Sum_faces share_i Sum_k p_ik N.dv_k. */
 
-LANES_INLINE void twist_weights(const struct triangle_batch *b, const double *x, struct triangle_shape *shape,
-                                lanes weight[3], lanes p[3][3])
+LANES_INLINE void normal_turn(const struct triangle_batch *b, const double *x, struct triangle_shape *shape, lanes p[3][3])
 {
     struct vec v[3];
     LANES_UNROLL
-    for (int i = 0; i < 3; i++) {
-        gather_vec(x, b->vertex[i], &v[i]);
-        weight[i] = __builtin_convertvector(b->side[i], lanes) * (1 - 0.5 * __builtin_convertvector(b->inner[i], lanes));
-    }
+    for (int i = 0; i < 3; i++)
+        v[i] = gather_vec(x, b->vertex[i]);
     triangle_shape(v, shape);
     triangle_turn(shape, p);
 }
@@ -237,19 +252,18 @@ LANES_KERNEL static void chunk_tangent(const struct triangle *t, int chunk, cons
     for (int k = t->chunk_start[chunk]; k < t->chunk_start[chunk + 1]; k++) {
         const struct triangle_batch *b = &t->batch[k];
         struct triangle_shape shape;
-        lanes weight[3], p[3][3], along[3];
-        twist_weights(b, job->x, &shape, weight, p);
+        lanes p[3][3], along[3];
+        normal_turn(b, job->x, &shape, p);
         LANES_UNROLL
         for (int i = 0; i < 3; i++) {
             struct vec dv;
-            gather_vec(job->in, b->vertex[i], &dv);
+            dv = gather_vec(job->in, b->vertex[i]);
             along[i] = vec_dot(shape.normal, dv);
         }
         LANES_UNROLL
         for (int i = 0; i < 3; i++) {
-            lanes turn = weight[i] * (p[i][0] * along[0] + p[i][1] * along[1] + p[i][2] * along[2]);
-            for (int l = 0; l < b->count; l++)
-                job->out[b->edge[i][l]] -= turn[l];
+            lanes turn = b->share[i] * (p[i][0] * along[0] + p[i][1] * along[1] + p[i][2] * along[2]);
+            scatter((struct lanes_one){ALIVE(-turn, b->count)}, b->edge[i], job->out);
         }
     }
 }
@@ -259,17 +273,16 @@ LANES_KERNEL static void chunk_cotangent(const struct triangle *t, int chunk, co
     for (int k = t->chunk_start[chunk]; k < t->chunk_start[chunk + 1]; k++) {
         const struct triangle_batch *b = &t->batch[k];
         struct triangle_shape shape;
-        lanes weight[3], p[3][3], g[3];
-        twist_weights(b, job->x, &shape, weight, p);
+        lanes p[3][3], g[3];
+        normal_turn(b, job->x, &shape, p);
         LANES_UNROLL
         for (int i = 0; i < 3; i++) {
-            gather(job->in, b->edge[i], &g[i]);
-            g[i] *= weight[i];
+            g[i] = ALIVE(b->share[i] * gather(job->in, b->edge[i]).v, b->count);
         }
         LANES_UNROLL
         for (int c = 0; c < 3; c++)
-            scatter_vec(vec_scale(-(p[0][c] * g[0] + p[1][c] * g[1] + p[2][c] * g[2]), shape.normal), b->count,
-                        b->vertex[c], job->out);
+            scatter_vec(vec_scale(-(p[0][c] * g[0] + p[1][c] * g[1] + p[2][c] * g[2]), shape.normal), b->vertex[c],
+                        job->out);
     }
 }
 
@@ -306,7 +319,8 @@ LANES_KERNEL static void chunk_faces(const struct triangle *t, int chunk, const 
             for (int c = 0; c < 3; c++) {
                 face->metric[c]    = r.s[c][l] + (c < 2);
                 face->curvature[c] = r.k[c][l] + job->growth * b->natural[c][l];
-                face->angle = fmax(face->angle, atan2(fabs(alpha.sine[c][l]), alpha.cosine[c][l]));
+                double angle = atan2(fabs(alpha.sine[c][l]), alpha.cosine[c][l]);
+                face->angle  = angle <= face->angle ? face->angle : angle;  /* nan wins */
             }
         }
     }

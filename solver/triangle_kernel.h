@@ -47,7 +47,7 @@ struct triangle_shape {
     struct vec e[3], normal;    /* edges, N */
     lanes      q[3], rq[3];     /* |e|^2, 1/|e|^2 */
     lanes      rl[3];           /* 1/|e| */
-    lanes      twice;           /* 2A */
+    lanes      twice, rtwice;   /* 2A, 1/2A */
     lanes      h[3], rh[3];     /* heights and their inverses, h_i = 2A/|e_i| */
     lanes      foot[3];         /* where the height over edge i meets it, from 0 at v_i to 1 at v_{i+1} */
 };
@@ -79,16 +79,16 @@ LANES_INLINE void triangle_shape(const struct vec v[3], struct triangle_shape *t
         t->q[i] = vec_dot(t->e[i], t->e[i]);
     }
     struct vec n = vec_cross(t->e[2], t->e[0]);
-    t->twice = lanes_sqrt(vec_dot(n, n));
-    lanes rtwice = 1 / t->twice;
-    t->normal = vec_scale(rtwice, n);
+    lanes nn = vec_dot(n, n);
+    t->rtwice = lanes_rsqrt(nn);
+    t->twice  = nn * t->rtwice;
+    t->normal = vec_scale(t->rtwice, n);
     LANES_UNROLL
     for (int i = 0; i < 3; i++) {
-        lanes length = lanes_sqrt(t->q[i]);
-        t->rl[i]   = 1 / length;
+        t->rl[i]   = lanes_rsqrt(t->q[i]);
         t->rq[i]   = t->rl[i] * t->rl[i];
         t->h[i]    = t->twice * t->rl[i];
-        t->rh[i]   = rtwice * length;
+        t->rh[i]   = t->rtwice * t->q[i] * t->rl[i];
         t->foot[i] = 0.5 * (t->q[i] + t->q[(i + 2) % 3] - t->q[(i + 1) % 3]) * t->rq[i];
     }
 }
@@ -98,7 +98,7 @@ LANES_INLINE void triangle_across(const struct triangle_state *x, const struct t
                                   struct triangle_across *a)
 {
     struct vec u = vec_sub(x->o[i], x->v[i]), n = vec_cross(u, t->e[i]);
-    lanes rtwice = 1 / lanes_sqrt(vec_dot(n, n));
+    lanes rtwice = lanes_rsqrt(vec_dot(n, n));
     a->normal = vec_fma(t->normal, x->inner[i], vec_sub(vec_scale(rtwice, n), t->normal));
     a->rh     = rtwice * t->q[i] * t->rl[i];
     a->foot   = vec_dot(u, t->e[i]) * t->rq[i];
@@ -142,8 +142,8 @@ LANES_INLINE void triangle_angle(const struct triangle_state *x, const struct tr
                                  const struct triangle_across *a, struct triangle_angles *alpha)
 {
     struct vec sum = vec_add(t->normal, a->normal);
-    lanes ch = lanes_sqrt(0.25 * vec_dot(sum, sum) + 1e-280);   /* folded flat onto itself: still a number */
-    lanes sh = 0.5 * vec_dot(vec_cross(t->normal, a->normal), t->e[i]) * t->rl[i] / ch;
+    lanes cc = 0.25 * vec_dot(sum, sum) + 1e-280, rch = lanes_rsqrt(cc), ch = cc * rch;     /* folded flat: still a number */
+    lanes sh = 0.5 * vec_dot(vec_cross(t->normal, a->normal), t->e[i]) * t->rl[i] * rch;
     lanes sphi, cphi;
     triangle_sincos(&x->phi[i], &sphi, &cphi);
     sphi *= x->side[i];
@@ -169,7 +169,7 @@ LANES_INLINE void triangle_respond(const struct triangle_material *m, const stru
                                    const struct triangle_angles *alpha, struct triangle_response *r)
 {
     lanes dq[3], ts[3], tk[3];
-    lanes ms = m->stretch * rest->area, mb = m->bend * rest->area, rtt = 0.5 / (t->twice * t->twice);
+    lanes ms = m->stretch * rest->area, mb = m->bend * rest->area, rtt = 0.5 * t->rtwice * t->rtwice;
     LANES_UNROLL
     for (int i = 0; i < 3; i++) {
         dq[i]   = t->q[i] - rest->q0[i];
@@ -243,9 +243,9 @@ LANES_INLINE void triangle_clamp(lanes kappa[3])
     const double root3 = 1.7320508075688772;
     lanes a = 4 * kappa[0] + kappa[1] + kappa[2], c = 3 * (kappa[1] + kappa[2]), b = root3 * (kappa[2] - kappa[1]);
     lanes middle = 0.5 * (a + c), half = 0.5 * (a - c);
-    lanes radius = lanes_sqrt(half * half + b * b) + 1e-280;
+    lanes rr = half * half + b * b + 1e-280, rradius = lanes_rsqrt(rr), radius = rr * rradius;
     lanes high = lanes_positive(middle + radius), low = lanes_positive(middle - radius);
-    lanes mean = 0.5 * (high + low), ratio = 0.5 * (high - low) / radius;
+    lanes mean = 0.5 * (high + low), ratio = 0.5 * (high - low) * rradius;
     lanes sum = (mean - ratio * half) * (1.0 / 3), difference = ratio * b * (1 / root3);
     kappa[0] = 0.25 * (mean + ratio * half - sum);
     kappa[1] = 0.5 * (sum - difference);
@@ -280,7 +280,7 @@ LANES_INLINE void triangle_second(const struct triangle_material *m, const struc
         a[j] = t->h[j] * alpha->cosine[j];
     }
     lanes sum = r->fw[0] * r->w[0] + r->fw[1] * r->w[1] + r->fw[2] * r->w[2];
-    lanes rtt = 0.5 / (t->twice * t->twice);
+    lanes rtt = 0.5 * t->rtwice * t->rtwice;
     LANES_UNROLL
     for (int i = 0; i < 3; i++)
         LANES_UNROLL

@@ -221,8 +221,7 @@ static void face_lane(const struct triangle *t, int f, struct triangle_batch *b,
         b->vertex[i][lane]   = t->vertex_at[m->face[f][i]];
         b->opposite[i][lane] = t->vertex_at[corner_across(m, f, i)];
         b->edge[i][lane]     = t->edge_at[e];
-        b->side[i][lane]     = m->edge_face[e][0] == f ? 1 : -1;
-        b->inner[i][lane]    = m->edge_face[e][1] >= 0;
+        b->share[i][lane]    = m->edge_face[e][1] < 0 ? 1 : m->edge_face[e][0] == f ? 0.5 : -0.5;
         b->natural[i][lane]  = m->natural[f][i];
     }
 }

@@ -10,17 +10,16 @@
 
 enum { TRIANGLE_CHUNKS = 256, TRIANGLE_SLOTS = 15 };
 
-typedef signed char lanes_signs __attribute__((vector_size(LANES)));
-
 /* Eight faces; lanes from count on repeat the first. */
 struct triangle_batch {
     lanes       natural[3];             /* 1/length: kx, ky, twist */
+    lanes       share[3];               /* of N in the direction that edge i's angle counts from: +1/2 for the edge's
+                                           first face, -1/2 for the second (the angle turns the other way), 1 on
+                                           the boundary */
     int         vertex[3][LANES];       /* into x: position of v_i */
     int         opposite[3][LANES];     /* into x: position of the corner across edge i (of v_{i+2} on the boundary) */
     int         edge[3][LANES];         /* into x: angle of edge i */
     int         face[LANES];            /* of the mesh */
-    lanes_signs side[3];                /* +1: first face of edge i, -1: second */
-    lanes_signs inner[3];               /* 1: edge i has two faces */
     int         rest;                   /* of the table of rest shapes */
     int         count;
 };

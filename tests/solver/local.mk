@@ -13,6 +13,11 @@ tests_solver_test_fold_SOURCES = tests/solver/test_fold.c
 tests_solver_test_fold_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_solver_test_fold_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 
+check_PROGRAMS += tests/solver/test_triangle
+tests_solver_test_triangle_SOURCES = tests/solver/test_triangle.c tests/solver/differences.c tests/solver/differences.h
+tests_solver_test_triangle_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_solver_test_triangle_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
 check_PROGRAMS += tests/solver/test_triangle_reference
 tests_solver_test_triangle_reference_SOURCES = tests/solver/test_triangle_reference.c \
 	tests/solver/reference.c tests/solver/reference.h
