@@ -51,6 +51,10 @@ struct discretisation_ops {
     void (*prolong)(const struct discretisation *coarse, const double *x,
                     const struct discretisation *fine, double *x_fine);
 
+    /* gradient_coarse (coarse n) := P^T gradient_fine, P the matrix of prolong; NULL where that is not linear. */
+    void (*restrict_gradient)(const struct discretisation *coarse, double *gradient_coarse,
+                              const struct discretisation *fine, const double *gradient_fine);
+
     /* Fills all arrays of a surface with the sheet's stitches, any per_stitch. */
     void (*sample)(const struct discretisation *d, const double *x, double growth, struct surface *surface);
 
@@ -67,6 +71,7 @@ struct discretisation {
     struct pattern pattern;
     bool           ordered;         /* unknowns are numbered in a fill-reducing elimination order */
     int            parts[2];        /* ordered: [0, parts[0]) and [parts[0], parts[1]) couple through the rest alone; or 0, 0 */
+    int            block;           /* unknowns of a node, consecutive; 0: no such blocks */
     int            nnodes;
     const int     *node;            /* (nnodes) first of the three unknowns that are a node's position */
     int            threads;

@@ -11,6 +11,7 @@
 #endif
 
 #include "solver/descent.h"
+#include "solver/estimate.h"
 #include "solver/memory.h"
 #include "solver/noise.h"
 #include "solver/patch.h"
@@ -39,7 +40,7 @@ struct fold {
 
 /* ---- levels ---- */
 
-enum { GAUSS_COARSE = 3, GAUSS = 4 };
+enum { GAUSS_COARSE = 3, GAUSS = 4, MOST_UNKNOWNS = 1000000 };
 
 /* The level a fold grows on: for patches the spline on the stitches' lines,
  * for the paper's own way (plain libLBFGS) the final one. */
@@ -52,14 +53,16 @@ static struct discretisation *first_level(const struct fold *fold)
     return patch_make(sheet, &basis_spline, 1, GAUSS_COARSE, fold->threads);
 }
 
-/* The level after this one on the way to per_stitch, NULL at the end. */
+static bool is_spline(const struct discretisation *d)
+{
+    return strcmp(d->op->kind, "spline") == 0;
+}
+
+/* The level after this one: twice as fine, or as fine as asked for where that is no multiple. */
 static struct discretisation *next_level(const struct fold *fold, const struct discretisation *d)
 {
-    int wanted = fold->sheet->mesh.per_stitch ? fold->sheet->mesh.per_stitch : 1;
-    bool spline = strcmp(d->op->kind, "spline") == 0;
-    int per_stitch = spline ? 1 : wanted % (2 * d->per_stitch) == 0 ? 2 * d->per_stitch : wanted;
-    if (!spline && d->per_stitch >= wanted)
-        return NULL;
+    int wanted = fold->sheet->mesh.per_stitch, twice = 2 * d->per_stitch;
+    int per_stitch = is_spline(d) ? 1 : wanted > twice && wanted % twice ? wanted : twice;
     return patch_make(fold->sheet, &basis_hermite, per_stitch, GAUSS, fold->threads);
 }
 
@@ -93,11 +96,10 @@ static void start_level(struct fold *fold)
         state->x[state->d->node[i] + 2] += sheet->solve.noise * sheet->thickness * noise_next(&seed);
 }
 
-static void replace_level(struct fold *fold, struct discretisation *finer)
+/* The state x of a finer level, taken over, is where the fold goes on. */
+static void replace_level(struct fold *fold, struct discretisation *finer, double *x)
 {
     struct fold_state *state = fold->state;
-    double *x = MEMORY_ARRAY(double, finer->n);
-    state->d->op->prolong(state->d, state->x, finer, x);
     problem_close(&fold->problem);
     state->d->op->free(state->d);
     free(state->x);
@@ -193,7 +195,6 @@ static void finish_record(struct fold *fold, struct descent end)
     record->elements = d->elements;
     record->energy = scaled(fold->problem.energy, young);
     record->energy_flat = flat_energy(fold) * young;
-    record->energy_error = record->shape_error = -1;
     record->status = status_of(end);
     record->remark = remark_of(fold, end);
     record->method = method_name(fold->sheet->solve.method);
@@ -244,22 +245,61 @@ static enum outcome grow(struct fold *fold)
     return OUTCOME_CONVERGED;
 }
 
+/* Errors are relative to the total energy, or to the flat one's where the sheet has lost nearly all. */
+static double energy_scale(const struct fold *fold)
+{
+    double total = fabs(fold->problem.energy.total), flat = flat_energy(fold);
+    return total > flat / 100 ? total : flat;
+}
+
+/* Estimates the error of a minimum with the help of the next level; x (its n)
+ * becomes a start there. */
+static void estimate(struct fold *fold, const struct discretisation *finer, double *x)
+{
+    const struct sheet *sheet = fold->sheet;
+    struct estimate error = estimate_error(&fold->problem, fold->state->x, finer, x);
+    double scale = energy_scale(fold), size = hypot(sheet->columns * sheet->dx, sheet->rows * sheet->dy);
+    fold->record->energy_error = scale > 0 ? error.energy / scale : 0;
+    fold->record->shape_error = error.shape / size;
+}
+
+/* Is this level the last: as fine as asked for, or accurate enough, or all that fits? */
+static bool fine_enough(const struct fold *fold)
+{
+    const struct discretisation *d = fold->state->d;
+    const struct sheet *sheet = fold->sheet;
+    if (is_spline(d))
+        return false;
+    if (sheet->mesh.per_stitch || sheet->solve.method == METHOD_LBFGS)
+        return d->per_stitch >= sheet->mesh.per_stitch;
+    return fold->record->energy_error <= sheet->solve.accuracy || d->n > MOST_UNKNOWNS / 4;
+}
+
 /* The full curvature, from the level of the growth to the last. */
 static struct descent refine(struct fold *fold)
 {
     const struct solve *solve = &fold->sheet->solve;
+    int wanted = fold->sheet->mesh.per_stitch;
     for (;;) {
-        struct discretisation *finer = next_level(fold, fold->state->d);
-        fold->problem.tolerance = tolerance_of(fold, finer ? COARSE : 0);
+        const struct discretisation *d = fold->state->d;
+        bool passing = is_spline(d) || d->per_stitch < wanted;
+        fold->problem.tolerance = tolerance_of(fold, passing ? COARSE : 0);
         struct descent end = descent_to_minimum(&fold->problem, solve->method, fold->state->x);
         fold->pushes += end.pushes;
-        if (!finer)
+        if (!may_go_on(end.outcome))
             return end;
-        if (!may_go_on(end.outcome)) {
+        struct discretisation *finer = next_level(fold, d);
+        double *x = MEMORY_ARRAY(double, finer->n);
+        if (passing)
+            d->op->prolong(d, fold->state->x, finer, x);
+        else if (end.minimum)
+            estimate(fold, finer, x);
+        if (!passing && (!end.minimum || fine_enough(fold))) {
             finer->op->free(finer);
+            free(x);
             return end;
         }
-        replace_level(fold, finer);
+        replace_level(fold, finer, x);
     }
 }
 
@@ -276,7 +316,7 @@ static int thread_count(const struct fold_options *options)
 struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options *options,
                             const struct fold_observer *observer, struct fold_record *record)
 {
-    *record = (struct fold_record){.status = FOLD_FAILED};
+    *record = (struct fold_record){.status = FOLD_FAILED, .energy_error = -1, .shape_error = -1};
     struct fold fold = {.sheet = sheet, .observer = observer, .record = record,
                         .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options)};
     start_level(&fold);

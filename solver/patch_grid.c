@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "solver/dissection.h"
 #include "solver/memory.h"
@@ -147,6 +148,7 @@ struct patch *patch_grid_make(const struct sheet *sheet, const struct basis *bas
     p->d.sheet = sheet;
     p->d.per_stitch = per_stitch;
     p->d.nnodes = p->mx * p->my;
+    p->d.block = p->per_node;
     p->d.n = p->per_node * p->d.nnodes;
     p->d.elements = (long)p->nx * p->ny;
     p->d.ordered = true;
@@ -262,13 +264,20 @@ void patch_mass(const struct discretisation *d, double *mass)
     }
 }
 
-/* Position and derivatives on the unit square at place (u, v), counted in elements from the lower left. */
-static void evaluate(const struct patch *p, const double *x, double u, double v, double r[3][3][3])
+/* Shape functions at place (u, v), counted in elements from the lower left, and first unknowns of their nodes. */
+static void locate(const struct patch *p, double u, double v, double N[3][3][BASIS_MAX], int first[9])
 {
-    int ex = (int)u < p->nx ? (int)u : p->nx - 1, ey = (int)v < p->ny ? (int)v : p->ny - 1, first[9];
-    double N[3][3][BASIS_MAX];
+    int ex = (int)u < p->nx ? (int)u : p->nx - 1, ey = (int)v < p->ny ? (int)v : p->ny - 1;
     basis_at(p->basis, u - ex, v - ey, N);
     patch_nodes(p, ey * p->nx + ex, first);
+}
+
+/* Position and derivatives on the unit square at place (u, v). */
+static void evaluate(const struct patch *p, const double *x, double u, double v, double r[3][3][3])
+{
+    int first[9];
+    double N[3][3][BASIS_MAX];
+    locate(p, u, v, N, first);
     for (int i = 0; i < 3; i++)
         for (int j = 0; i + j < 3; j++)
             for (int c = 0; c < 3; c++) {
@@ -295,6 +304,26 @@ void patch_prolong(const struct discretisation *coarse, const double *x, const s
                 node[6 + c] = ratio * r[0][1][c];
                 node[9 + c] = ratio * ratio * r[1][1][c];
             }
+        }
+}
+
+/* The transpose of patch_prolong. */
+void patch_restrict(const struct discretisation *coarse, double *gradient_coarse, const struct discretisation *fine,
+                    const double *gradient_fine)
+{
+    const struct patch *to = (const struct patch *)coarse, *from = (const struct patch *)fine;
+    double ratio = (double)to->nx / from->nx, N[3][3][BASIS_MAX];
+    int first[9], per_node = to->basis->per_node;
+    memset(gradient_coarse, 0, sizeof *gradient_coarse * (size_t)coarse->n);
+    for (int j = 0; j < from->my; j++)
+        for (int i = 0; i < from->mx; i++) {
+            const double *g = gradient_fine + from->per_node * from->place[j * from->mx + i];
+            locate(to, i * ratio, j * ratio, N, first);
+            for (int a = 0; a < to->basis->count; a++)
+                for (int c = 0; c < 3; c++)
+                    gradient_coarse[first[a / per_node] + 3 * (a % per_node) + c] +=
+                        N[0][0][a] * g[c] + ratio * (N[1][0][a] * g[3 + c] + N[0][1][a] * g[6 + c]) +
+                        ratio * ratio * N[1][1][a] * g[9 + c];
         }
 }
 

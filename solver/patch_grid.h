@@ -77,6 +77,8 @@ void patch_flat(const struct discretisation *d, double *x);
 void patch_mass(const struct discretisation *d, double *mass);
 void patch_prolong(const struct discretisation *coarse, const double *x, const struct discretisation *fine,
                    double *x_fine);
+void patch_restrict(const struct discretisation *coarse, double *gradient_coarse, const struct discretisation *fine,
+                    const double *gradient_fine);
 void patch_sample(const struct discretisation *d, const double *x, double growth, struct surface *surface);
 
 #endif
