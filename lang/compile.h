@@ -79,6 +79,6 @@ struct library_motif {
 const struct library_motif *library_list(struct arena *, int *count);
 
 /* The text of a built-in file by the name library_motif.file has, or NULL. */
-const char *library_text(const char *file);
+const char *library_text(struct arena *, const char *file);
 
 #endif

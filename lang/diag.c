@@ -14,11 +14,11 @@ const struct diag_code_info diag_codes[] = {
 };
 const int diag_ncodes = sizeof diag_codes / sizeof *diag_codes;
 
-enum { FIRST_WARNING = 900 };
+static const int first_warning = 900;
 
 const char *diag_code_name(enum diag_code code, char name[static 6])
 {
-    snprintf(name, 6, "%c%04u", code < FIRST_WARNING ? 'E' : 'W', (unsigned)code % 10000);
+    snprintf(name, 6, "%c%04u", (int)code < first_warning ? 'E' : 'W', (unsigned)code % 10000);
     return name;
 }
 
@@ -36,11 +36,27 @@ static bool said_before(const struct diag *diag, enum diag_code code, struct spa
     return false;
 }
 
+enum { CONTEXTS = 4 };      /* are shown, the innermost */
+
+/* Where the context stands now, as notes. */
+static const struct note *context_notes(struct diag *diag)
+{
+    struct note *first = NULL, **last = &first;
+    int n = 0;
+
+    for (const struct context *c = diag->context; c && n < CONTEXTS; c = c->up, n++) {
+        *last = arena_new(diag->arena, struct note);
+        **last = (struct note){.span = c->span, .text = c->what};
+        last = (struct note **)&(*last)->next;
+    }
+    return first;
+}
+
 static struct message *message_new(struct diag *diag, enum severity severity, enum diag_code code, struct span span)
 {
     struct message *m = arena_new(diag->arena, struct message);
 
-    *m = (struct message){.severity = severity, .code = code, .span = span};
+    *m = (struct message){.severity = severity, .code = code, .span = span, .context = context_notes(diag)};
     if (diag->first)
         diag->last->next = m;
     else

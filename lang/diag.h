@@ -37,6 +37,13 @@ struct note {
     const struct note *next;
 };
 
+/* What is being worked on, outermost behind: each error inside it says so. */
+struct context {
+    struct span           span;         /* the place that uses it */
+    const char           *what;         /* "in motif 'flag', used here" */
+    const struct context *up;
+};
+
 struct message {
     enum severity      severity;
     enum diag_code     code;
@@ -44,6 +51,7 @@ struct message {
     const char        *text;
     struct note       *note;        /* first .. last */
     struct note       *last;
+    const struct note *context;     /* printed behind them */
     struct message    *next;
 };
 
@@ -54,6 +62,7 @@ struct diag {
     int             nerrors;        /* all, also those past the limit of what is kept */
     int             nwarnings;
     bool            warnings_are_errors;
+    const struct context *context;  /* set and put back by whoever enters and leaves */
 };
 
 void diag_init(struct diag *, struct arena *);

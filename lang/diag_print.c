@@ -131,6 +131,8 @@ static void print_message(FILE *out, const struct message *m, bool color)
     print_excerpt(out, m->span, color, style_of[m->severity]);
     for (const struct note *note = m->note; note; note = note->next)
         print_note(out, note, color);
+    for (const struct note *note = m->context; note; note = note->next)
+        print_note(out, note, color);
 }
 
 /* A JSON string; bytes that are no UTF-8 become the replacement character. */
@@ -172,6 +174,21 @@ static void json_place(FILE *out, struct span span)
     fprintf(out, ", \"line\": %d, \"column\": %d, \"end\": %d", place.line, place.column, place.end);
 }
 
+/* Those that stand somewhere. */
+static void json_notes(FILE *out, const struct note *note, const char **between)
+{
+    for (; note; note = note->next) {
+        if (!note->span.source)
+            continue;
+        fprintf(out, "%s{", *between);
+        json_place(out, note->span);
+        fputs(", \"text\": ", out);
+        json_text(out, note->text);
+        fputs("}", out);
+        *between = ", ";
+    }
+}
+
 static void json_message(FILE *out, const struct message *m)
 {
     const char *between = "";
@@ -185,15 +202,8 @@ static void json_message(FILE *out, const struct message *m)
 
     /* Notes that stand somewhere else, then those without a place and the hints. */
     fputs(", \"notes\": [", out);
-    for (const struct note *note = m->note; note; note = note->next)
-        if (note->span.source) {
-            fprintf(out, "%s{", between);
-            json_place(out, note->span);
-            fputs(", \"text\": ", out);
-            json_text(out, note->text);
-            fputs("}", out);
-            between = ", ";
-        }
+    json_notes(out, m->note, &between);
+    json_notes(out, m->context, &between);
     fputs("], \"hints\": [", out);
     between = "";
     for (const struct note *note = m->note; note; note = note->next)

@@ -10,6 +10,7 @@ enum {
     LIMIT_NESTING      = 100,                   /* brackets and blocks within each other */
     LIMIT_DEPTH        = 500,                   /* operators and calls within each other in one expression */
     LIMIT_CALLS        = 100,                   /* motifs and definitions that use each other */
+    LIMIT_EVALUATION   = 2500,                  /* all of these together, at one moment */
     LIMIT_INCLUDES     = 16,                    /* files that use files */
     LIMIT_STITCHES     = 4 * 1000 * 1000,       /* of one fabric */
     LIMIT_ALL_STITCHES = 64 * 1000 * 1000,      /* of all fabrics made on the way to it */

@@ -1,4 +1,21 @@
 # The language: .knit text -> scene.
 noinst_LIBRARIES += liblang.a
 liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/codes.h lang/compile.h \
-    lang/diag.h lang/diag.c lang/diag_print.c lang/grid.c lang/limits.h lang/source.c
+    lang/diag.h lang/diag.c lang/diag_print.c lang/grid.c lang/limits.h lang/source.c \
+    lang/names.h lang/names.c lang/ast.h lang/ast.c lang/parse.h lang/parse.c \
+    lang/scanner.h lang/scanner.c lang/syntax.h lang/syntax.c \
+    lang/eval.h lang/eval.c lang/module.c lang/stitches.c lang/motif.c lang/builtin.c lang/body.c \
+    lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/rows.h lang/rows.c \
+    lang/row_fit.h lang/row_fit.c lang/settings.h lang/settings.c lang/outputs.h lang/outputs.c \
+    lang/params.h lang/params.c lang/compile.c lang/library.h lang/library.c \
+    lang/parser.c lang/parser.h lang/lexer.c
+EXTRA_DIST += lang/parser.y lang/lexer.l
+MAINTAINERCLEANFILES += lang/parser.c lang/parser.h lang/lexer.c
+
+# A release holds the generated files; from a checkout they are made here.
+lang/parser.c: lang/parser.y
+	$(AM_V_GEN)$(MKDIR_P) lang && $(BISON) -Wall -Werror --header=lang/parser.h -o $@ $(srcdir)/lang/parser.y
+lang/parser.h: lang/parser.c ;
+lang/lexer.c: lang/lexer.l
+	$(AM_V_GEN)$(MKDIR_P) lang && $(FLEX) -o $@ $(srcdir)/lang/lexer.l
+lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/syntax.$(OBJEXT) lang/parse.$(OBJEXT): lang/parser.h

@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Constructors of the syntax tree: the parser's pieces in, nodes out.  Depth is
+ * counted here, so that whoever walks the tree may recurse. */
+#include "lang/ast.h"
+
+#include "lang/limits.h"
+#include "lang/parse.h"
+
+static int deeper(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static int depth_of(const struct expr *e)
+{
+    return e ? e->depth : 0;
+}
+
+static struct expr *expr_new(struct parse *parse, enum expr_kind kind, struct span span, int depth)
+{
+    struct expr *e = arena_new(parse->arena, struct expr);
+
+    e->kind = kind;
+    e->span = span;
+    e->depth = depth + 1;
+    if (e->depth > LIMIT_DEPTH) {
+        diag_error(parse->diag, CODE_LIMIT_DEPTH, span, "this expression is nested more than %d deep", LIMIT_DEPTH);
+        diag_hint(parse->diag, "give parts of it names with 'let'");
+        e->kind = EXPR_BAD;
+        e->depth = 1;
+    }
+    return e;
+}
+
+struct expr *expr_bad(struct parse *parse, struct span span)
+{
+    return expr_new(parse, EXPR_BAD, span, 0);
+}
+
+struct expr *expr_number(struct parse *parse, struct span span, double value, int dimension)
+{
+    struct expr *e = expr_new(parse, EXPR_NUMBER, span, 0);
+
+    e->number.value = value;
+    e->number.dimension = dimension;
+    return e;
+}
+
+struct expr *expr_text(struct parse *parse, enum expr_kind kind, struct span span, const char *text)
+{
+    struct expr *e = expr_new(parse, kind, span, 0);
+
+    e->text = text;
+    return e;
+}
+
+struct expr *expr_member(struct parse *parse, struct span span, const char *space, const char *name)
+{
+    struct expr *e = expr_new(parse, EXPR_MEMBER, span, 0);
+
+    e->member.space = space;
+    e->member.name = name;
+    return e;
+}
+
+struct expr *expr_list(struct parse *parse, struct span span, struct expr *first)
+{
+    struct expr *e;
+    int depth = 0, n = 0;
+
+    for (struct expr *item = first; item; item = item->next, n++)
+        depth = deeper(depth, item->depth);
+    e = expr_new(parse, EXPR_LIST, span, depth);
+    e->list.first = first;
+    e->list.n = n;
+    return e;
+}
+
+struct expr *expr_operation(struct parse *parse, enum expr_kind kind, struct span span, enum operator op,
+                            struct expr *a, struct expr *b, struct expr *c)
+{
+    int depth = deeper(depth_of(a), deeper(depth_of(b), depth_of(c)));
+    struct expr *e = expr_new(parse, kind, span, depth);
+
+    e->operation.op = op;
+    e->operation.a = a;
+    e->operation.b = b;
+    e->operation.c = c;
+    return e;
+}
+
+struct expr *expr_call(struct parse *parse, struct span span, struct expr *function, struct argument *first)
+{
+    struct expr *e;
+    int depth = function->depth, n = 0;
+
+    for (struct argument *a = first; a; a = a->next, n++)
+        depth = deeper(depth, a->value->depth);
+    e = expr_new(parse, EXPR_CALL, span, depth);
+    e->call.function = function;
+    e->call.first = first;
+    e->call.n = n;
+    return e;
+}
+
+struct expr *expr_each(struct parse *parse, struct span span, struct name_at x, struct name_at y,
+                       struct expr *columns, struct expr *rows, struct expr *cell)
+{
+    int depth = deeper(columns->depth, deeper(rows->depth, cell->depth));
+    struct expr *e = expr_new(parse, EXPR_EACH, span, depth);
+
+    e->each.x = x.name;
+    e->each.y = y.name;
+    e->each.columns = columns;
+    e->each.rows = rows;
+    e->each.cell = cell;
+    return e;
+}
+
+struct argument *ast_argument(struct parse *parse, struct span span, const char *name, struct expr *value)
+{
+    struct argument *a = arena_new(parse->arena, struct argument);
+
+    *a = (struct argument){.name = name, .span = span, .value = value};
+    return a;
+}
+
+struct item *item_stitch(struct parse *parse, struct span span, const char *name, struct expr *count,
+                         struct until until)
+{
+    struct item *item = arena_new(parse->arena, struct item);
+
+    *item = (struct item){.kind = ITEM_STITCH, .span = span, .name = name, .count = count, .until = until};
+    return item;
+}
+
+struct item *item_group(struct parse *parse, enum item_kind kind, struct span span, struct item *child,
+                        struct until until)
+{
+    struct item *item = arena_new(parse->arena, struct item);
+
+    *item = (struct item){.kind = kind, .span = span, .child = child, .until = until};
+    return item;
+}
+
+struct row_numbers *ast_row_numbers(struct parse *parse, struct span span, struct expr *first, struct expr *last,
+                                    enum all_kind all)
+{
+    struct row_numbers *numbers = arena_new(parse->arena, struct row_numbers);
+
+    *numbers = (struct row_numbers){.first = first, .last = last, .all = all, .span = span};
+    return numbers;
+}
+
+struct pair *ast_pair(struct parse *parse, struct span key_span, const char *key, struct expr *value)
+{
+    struct pair *pair = arena_new(parse->arena, struct pair);
+
+    *pair = (struct pair){.key = key, .key_span = key_span, .value = value};
+    return pair;
+}
+
+struct name_at *ast_name(struct parse *parse, struct span span, const char *name)
+{
+    struct name_at *at = arena_new(parse->arena, struct name_at);
+
+    *at = (struct name_at){.name = name, .span = span};
+    return at;
+}
+
+struct formal *ast_formal(struct parse *parse, struct span span, const char *name, struct expr *value)
+{
+    struct formal *formal = arena_new(parse->arena, struct formal);
+
+    *formal = (struct formal){.name = name, .span = span, .value = value};
+    return formal;
+}
+
+struct symbol *ast_symbol(struct parse *parse, struct span span, const char *symbol, struct name_at stitch)
+{
+    struct symbol *s = arena_new(parse->arena, struct symbol);
+
+    *s = (struct symbol){.symbol = symbol, .stitch = stitch, .span = span};
+    return s;
+}
+
+struct axis *ast_axis(struct parse *parse, struct name_at param, struct range range)
+{
+    struct axis *axis = arena_new(parse->arena, struct axis);
+
+    *axis = (struct axis){.param = param, .range = range};
+    return axis;
+}
+
+/* ---- statements ---- */
+
+struct stmt *ast_stmt(struct parse *parse, enum stmt_kind kind, struct span span)
+{
+    struct stmt *stmt = arena_new(parse->arena, struct stmt);
+
+    stmt->kind = kind;
+    stmt->span = span;
+    return stmt;
+}
+
+struct stmt *stmt_use(struct parse *parse, struct span span, struct name_at *names, struct name_at as,
+                      struct name_at file, bool std)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_USE, span);
+
+    stmt->use.names = names;
+    stmt->use.as = as;
+    stmt->use.file = file.name;
+    stmt->use.file_span = file.span;
+    stmt->use.std = std;
+    return stmt;
+}
+
+struct stmt *stmt_let(struct parse *parse, struct span span, struct name_at name, struct expr *value)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_LET, span);
+
+    stmt->let.name = name;
+    stmt->let.value = value;
+    return stmt;
+}
+
+struct stmt *stmt_param(struct parse *parse, struct span span, struct name_at name, struct expr *value,
+                        struct range range, const char *about)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_PARAM, span);
+
+    stmt->param.name = name;
+    stmt->param.value = value;
+    stmt->param.range = range;
+    stmt->param.about = about;
+    return stmt;
+}
+
+struct stmt *stmt_block(struct parse *parse, enum stmt_kind kind, struct span span, struct name_at name,
+                        struct pair *pair)
+{
+    struct stmt *stmt = ast_stmt(parse, kind, span);
+
+    if (kind == STMT_STITCH) {
+        stmt->stitch.name = name;
+        stmt->stitch.pair = pair;
+    } else {
+        stmt->block.name = name;
+        stmt->block.pair = pair;
+    }
+    return stmt;
+}
+
+struct stmt *stmt_motif(struct parse *parse, struct span span, struct name_at name, struct formal *formal,
+                        struct multiple multiple, struct stmt *body, struct expr *value)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_MOTIF, span);
+
+    stmt->motif.name = name;
+    stmt->motif.formal = formal;
+    stmt->motif.multiple = multiple;
+    stmt->motif.body = body;
+    stmt->motif.value = value;
+    return stmt;
+}
+
+struct stmt *stmt_expr(struct parse *parse, enum stmt_kind kind, struct span span, struct expr *value)
+{
+    struct stmt *stmt = ast_stmt(parse, kind, span);
+
+    if (kind == STMT_VERSION)
+        stmt->version.number = value;
+    else if (kind == STMT_CAST_ON)
+        stmt->cast_on.n = value;
+    else
+        stmt->swatch.value = value;
+    return stmt;
+}
+
+struct stmt *stmt_output(struct parse *parse, struct span span, struct name_at kind, struct name_at path,
+                         struct pair *pair)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_OUTPUT, span);
+
+    stmt->output.kind = kind;
+    stmt->output.path = path.name;
+    stmt->output.path_span = path.span;
+    stmt->output.pair = pair;
+    return stmt;
+}
+
+struct stmt *stmt_sweep(struct parse *parse, struct span span, struct axis *axis)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_SWEEP, span);
+
+    stmt->sweep.axis = axis;
+    return stmt;
+}
+
+struct stmt *stmt_multiple(struct parse *parse, struct multiple multiple)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_MULTIPLE, multiple.span);
+
+    stmt->multiple = multiple;
+    return stmt;
+}
+
+struct stmt *stmt_row(struct parse *parse, struct span span, struct row row)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_ROW, span);
+
+    stmt->row = row;
+    return stmt;
+}
+
+struct stmt *stmt_again(struct parse *parse, struct span span, struct again again)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_AGAIN, span);
+
+    stmt->again = again;
+    return stmt;
+}
+
+struct stmt *stmt_for(struct parse *parse, struct span span, struct name_at name, struct range range,
+                      struct stmt *body)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_FOR, span);
+
+    stmt->loop.name = name;
+    stmt->loop.range = range;
+    stmt->loop.body = body;
+    return stmt;
+}
+
+struct stmt *stmt_if(struct parse *parse, struct span span, struct expr *condition, struct stmt *then,
+                     struct stmt *otherwise)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_IF, span);
+
+    stmt->choice.condition = condition;
+    stmt->choice.then = then;
+    stmt->choice.otherwise = otherwise;
+    return stmt;
+}
+
+struct stmt *stmt_chart(struct parse *parse, struct span span, struct symbol *symbol, struct name_at *line)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_CHART, span);
+
+    stmt->chart.symbol = symbol;
+    stmt->chart.line = line;
+    return stmt;
+}

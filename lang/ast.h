@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The syntax tree: what the parser makes of a script, before any of it means
+ * anything.  Names are interned (compare with ==); lists hang together by
+ * `next`; everything knows the bytes it came from. */
+#ifndef WEFT_AST_H
+#define WEFT_AST_H
+
+#include <stdbool.h>
+
+#include "lang/diag.h"
+
+/* ---- expressions ---- */
+
+enum expr_kind {
+    EXPR_BAD,           /* reported already */
+    EXPR_NUMBER,
+    EXPR_STRING,
+    EXPR_NAME,
+    EXPR_MEMBER,        /* of a used file: f.flag */
+    EXPR_LIST,
+    EXPR_UNARY,
+    EXPR_BINARY,
+    EXPR_CHOICE,        /* a ? b : c */
+    EXPR_INDEX,         /* a[b] */
+    EXPR_CALL,
+    EXPR_EACH           /* each (x, y) in columns by rows : cell */
+};
+
+enum operator { OP_ADD, OP_SUBTRACT, OP_MULTIPLY, OP_DIVIDE, OP_MOD, OP_LESS, OP_GREATER, OP_AT_MOST, OP_AT_LEAST,
+               OP_EQUAL, OP_UNEQUAL, OP_AND, OP_OR, OP_NEGATE, OP_NOT };
+
+struct expr {
+    enum expr_kind kind;
+    int            depth;           /* 1 + the deepest operand's */
+    struct span    span;
+    struct expr   *next;            /* in a list or among arguments */
+    union {
+        struct { double value; int dimension; } number;                 /* dimension: power of length */
+        const char *text;                                               /* string, name */
+        struct { const char *space, *name; } member;
+        struct { struct expr *first; int n; } list;
+        struct { enum operator op; struct expr *a, *b, *c; } operation; /* unary, binary, choice, index */
+        struct { struct expr *function; struct argument *first; int n; } call;
+        struct { const char *x, *y; struct expr *columns, *rows, *cell; } each;
+    };
+};
+
+struct argument {
+    const char      *name;          /* NULL: by position */
+    struct span      span;
+    struct expr     *value;
+    struct argument *next;
+};
+
+/* low..high by step, or the values of a list (then only low is set). */
+struct range {
+    struct expr *low, *high, *step;
+    struct span  span;
+};
+
+/* ---- written rows ---- */
+
+enum side { SIDE_OPEN, SIDE_RS, SIDE_WS };
+
+enum until_kind {
+    UNTIL_ONCE,         /* nothing is said */
+    UNTIL_TIMES,        /* n times */
+    UNTIL_MORE,         /* n more times */
+    UNTIL_LAST,         /* to last n stitches */
+    UNTIL_END           /* to end, across */
+};
+
+struct until {
+    enum until_kind kind;
+    struct expr    *n;
+    struct span     span;
+};
+
+enum item_kind { ITEM_STITCH, ITEM_GROUP, ITEM_STARS, ITEM_REP_FROM };
+
+/* A stitch with its count; or what is repeated: a group in brackets, between two
+ * stars, or from a star to its `rep from *`. */
+struct item {
+    enum item_kind kind;
+    struct span    span;
+    const char    *name;            /* stitch: as written, "k2" */
+    struct expr   *count;           /* stitch: a count that stands apart, or NULL */
+    struct item   *child;           /* the others: what is repeated */
+    struct until   until;
+    struct item   *next;
+};
+
+/* Which rows a head names: a number, a first and a last, or all of a kind. */
+enum all_kind { ALL_NONE, ALL_RS, ALL_WS, ALL_EVEN, ALL_ODD, ALL_OTHER };
+
+struct row_numbers {
+    struct expr        *first, *last;   /* last NULL: one row */
+    enum all_kind       all;
+    enum side           side;           /* what stands behind this number */
+    bool                round;          /* "and 3rd round" */
+    struct span         span;
+    struct row_numbers *next;
+};
+
+enum body_kind { BODY_ITEMS, BODY_AS_ROW, BODY_AS_BELOW };
+
+struct row {
+    bool                round;          /* worked in the round: always from the right side */
+    enum side           side;
+    struct row_numbers *numbers;        /* NULL: the next row */
+    struct span         head;
+    enum body_kind      body;
+    struct span         body_span;
+    struct item        *item;
+    struct expr        *reference;      /* as row n */
+    struct expr        *check;          /* (n sts), or NULL */
+    struct span         check_span;
+};
+
+/* Repeating rows is working them again: n times means n more times. */
+enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS };
+
+struct again {
+    struct row_numbers *numbers;
+    struct expr        *last;           /* repeat the last n rows; numbers is NULL */
+    enum again_kind     kind;
+    bool                pattern;        /* said in words: "for pattern" */
+    struct expr        *n;
+};
+
+/* ---- statements ---- */
+
+struct pair {               /* key = value, in a block */
+    const char  *key;
+    struct span  key_span;
+    struct expr *value;
+    struct pair *next;
+};
+
+struct name_at {            /* a name and where it stands */
+    const char     *name;
+    struct span     span;
+    struct name_at *next;
+};
+
+struct formal {
+    const char    *name;
+    struct span    span;
+    struct expr   *value;       /* its default, or NULL */
+    struct formal *next;
+};
+
+struct symbol {             /* a chart's key: x = P */
+    const char    *symbol;
+    struct name_at stitch;
+    struct span    span;
+    struct symbol *next;
+};
+
+struct multiple {
+    struct expr *of, *plus;     /* plus may be NULL; of NULL: none given */
+    struct span  span;
+};
+
+struct axis {
+    struct name_at param;
+    struct range   range;
+    struct axis   *next;
+};
+
+enum stmt_kind {
+    STMT_BAD,
+    STMT_VERSION,
+    STMT_USE,
+    STMT_LET,
+    STMT_PARAM,
+    STMT_STITCH,
+    STMT_MOTIF,
+    STMT_SWATCH,
+    STMT_BLOCK,
+    STMT_OUTPUT,
+    STMT_SWEEP,
+    STMT_CAST_ON,
+    STMT_MULTIPLE,
+    STMT_ROW,
+    STMT_AGAIN,
+    STMT_FOR,
+    STMT_IF,
+    STMT_CHART
+};
+
+struct stmt {
+    enum stmt_kind kind;
+    struct span    span;            /* of its first line, for messages */
+    struct stmt   *next;
+    union {
+        struct { struct expr *number; } version;
+        struct { struct name_at *names; struct name_at as; const char *file; struct span file_span; bool std; } use;
+        struct { struct name_at name; struct expr *value; } let;
+        struct { struct name_at name; struct expr *value; struct range range; const char *about; } param;
+        struct { struct name_at name; struct pair *pair; } stitch;
+        struct { struct name_at name; struct formal *formal; struct multiple multiple; struct stmt *body; struct expr *value; } motif;
+        struct { struct expr *value; } swatch;
+        struct { struct name_at name; struct pair *pair; } block;
+        struct { struct name_at kind; const char *path; struct span path_span; struct pair *pair; } output;
+        struct { struct axis *axis; } sweep;
+        struct { struct expr *n; } cast_on;
+        struct multiple multiple;
+        struct row row;
+        struct again again;
+        struct { struct name_at name; struct range range; struct stmt *body; } loop;
+        struct { struct expr *condition; struct stmt *then, *otherwise; } choice;
+        struct { struct symbol *symbol; struct name_at *line; } chart;      /* lines: texts, top first */
+    };
+};
+
+/* ---- constructors ---- */
+
+struct parse;
+
+struct expr *expr_bad(struct parse *, struct span);
+struct expr *expr_number(struct parse *, struct span, double value, int dimension);
+struct expr *expr_text(struct parse *, enum expr_kind, struct span, const char *text);
+struct expr *expr_member(struct parse *, struct span, const char *space, const char *name);
+struct expr *expr_list(struct parse *, struct span, struct expr *first);
+struct expr *expr_operation(struct parse *, enum expr_kind, struct span, enum operator, struct expr *a, struct expr *b,
+                            struct expr *c);
+struct expr *expr_call(struct parse *, struct span, struct expr *function, struct argument *first);
+struct expr *expr_each(struct parse *, struct span, struct name_at x, struct name_at y, struct expr *columns,
+                       struct expr *rows, struct expr *cell);
+struct argument *ast_argument(struct parse *, struct span, const char *name, struct expr *value);
+
+struct item *item_stitch(struct parse *, struct span, const char *name, struct expr *count, struct until);
+struct item *item_group(struct parse *, enum item_kind, struct span, struct item *child, struct until);
+struct row_numbers *ast_row_numbers(struct parse *, struct span, struct expr *first, struct expr *last, enum all_kind);
+
+struct pair *ast_pair(struct parse *, struct span key_span, const char *key, struct expr *value);
+struct name_at *ast_name(struct parse *, struct span, const char *name);
+struct formal *ast_formal(struct parse *, struct span, const char *name, struct expr *value);
+struct symbol *ast_symbol(struct parse *, struct span, const char *symbol, struct name_at stitch);
+struct axis *ast_axis(struct parse *, struct name_at param, struct range);
+
+struct stmt *ast_stmt(struct parse *, enum stmt_kind, struct span);
+struct stmt *stmt_use(struct parse *, struct span, struct name_at *names, struct name_at as, struct name_at file, bool std);
+struct stmt *stmt_let(struct parse *, struct span, struct name_at, struct expr *value);
+struct stmt *stmt_param(struct parse *, struct span, struct name_at, struct expr *value, struct range, const char *about);
+struct stmt *stmt_block(struct parse *, enum stmt_kind, struct span, struct name_at, struct pair *);
+struct stmt *stmt_motif(struct parse *, struct span, struct name_at, struct formal *, struct multiple, struct stmt *body,
+                        struct expr *value);
+struct stmt *stmt_expr(struct parse *, enum stmt_kind, struct span, struct expr *);
+struct stmt *stmt_output(struct parse *, struct span, struct name_at kind, struct name_at path, struct pair *);
+struct stmt *stmt_sweep(struct parse *, struct span, struct axis *);
+struct stmt *stmt_multiple(struct parse *, struct multiple);
+struct stmt *stmt_row(struct parse *, struct span, struct row);
+struct stmt *stmt_again(struct parse *, struct span, struct again);
+struct stmt *stmt_for(struct parse *, struct span, struct name_at, struct range, struct stmt *body);
+struct stmt *stmt_if(struct parse *, struct span, struct expr *condition, struct stmt *then, struct stmt *otherwise);
+struct stmt *stmt_chart(struct parse *, struct span, struct symbol *, struct name_at *line);
+
+#endif

@@ -1,0 +1,363 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Bodies of motifs and the rows of a file: statements in, row texts with known
+ * numbers (or a chart's grid) out. */
+#include <limits.h>
+#include <string.h>
+
+#include "lang/chart.h"
+#include "lang/eval.h"
+#include "lang/limits.h"
+#include "lang/row_fit.h"
+#include "lang/vocabulary.h"
+
+static struct work *lower_items(struct eval *, struct where, const struct item *);
+
+/* ---- stitches and groups ---- */
+
+static struct work *work_new(struct eval *eval, const struct item *item)
+{
+    struct work *work = arena_new(eval->arena, struct work);
+
+    if (++eval->items == LIMIT_ITEMS)
+        diag_error(eval->diag, CODE_LIMIT_ROWS, item->span, "the rows have more than %d stitches and groups to work",
+                   LIMIT_ITEMS);
+    work->span = item->span;
+    return work;
+}
+
+static bool lower_until(struct eval *eval, struct where where, const struct item *item, struct work *work)
+{
+    const struct until *until = &item->until;
+    long long n = 1;
+
+    if (until->n && !eval_whole(eval, where, until->n, 0, LIMIT_STITCHES, "this number", &n))
+        return false;
+    work->n = n;
+    switch (until->kind) {
+    case UNTIL_ONCE:
+        work->until = item->kind == ITEM_REP_FROM || item->kind == ITEM_STARS ? WORK_FIT : WORK_TIMES;
+        return true;
+    case UNTIL_TIMES:
+        work->until = item->kind == ITEM_REP_FROM ? WORK_EITHER : WORK_TIMES;
+        return true;
+    case UNTIL_MORE:
+        work->n = n + 1;
+        if (item->kind == ITEM_REP_FROM || item->kind == ITEM_STARS)
+            return true;
+        diag_error(eval->diag, CODE_ROW_REPEAT, until->span, "a group in brackets is worked so many times in all, not more");
+        return false;
+    case UNTIL_LAST:
+        work->until = WORK_LAST;
+        return true;
+    default:
+        work->until = WORK_LAST;
+        work->n = 0;
+        return true;
+    }
+}
+
+/* `k2` and `k 2`; a bare `k` that is the whole row fills it. */
+static bool lower_stitch(struct eval *eval, struct where where, const struct item *item, bool alone, struct work *work)
+{
+    long long in_name, count = 1;
+
+    if (!vocabulary_stitch(eval, where.module, item->name, item->span, &work->stitch, &in_name))
+        return false;
+    if (item->count && in_name >= 0) {
+        diag_error(eval->diag, CODE_ROW_REPEAT, item->span, "'%s' has a number already", item->name);
+        return false;
+    }
+    if (item->count && !eval_whole(eval, where, item->count, 0, LIMIT_STITCHES, "the number of stitches", &count))
+        return false;
+    work->length = in_name >= 0 ? in_name : count;
+    if (alone && in_name < 0 && !item->count && item->until.kind == UNTIL_ONCE)
+        work->until = WORK_FIT;
+    return true;
+}
+
+static struct work *lower_item(struct eval *eval, struct where where, const struct item *item, bool alone)
+{
+    struct work *work = work_new(eval, item);
+
+    if (!eval_step(eval, item->span) || !lower_until(eval, where, item, work))
+        return NULL;
+    if (item->kind == ITEM_STITCH)
+        return lower_stitch(eval, where, item, alone, work) ? work : NULL;
+    work->child = lower_items(eval, where, item->child);
+    return work->child ? work : NULL;
+}
+
+/* NULL after an error, or for nothing at all (`k0`). */
+static struct work *lower_items(struct eval *eval, struct where where, const struct item *item)
+{
+    struct work *first = NULL, **last = &first;
+    bool alone = item && !item->next, good = true;
+
+    for (; item; item = item->next) {
+        struct work *work = lower_item(eval, where, item, alone);
+
+        good &= work != NULL;
+        if (!work || (!work->child && !work->length))
+            continue;
+        *last = work;
+        last = &work->next;
+    }
+    return good && eval->items < LIMIT_ITEMS ? first : NULL;
+}
+
+/* ---- row numbers ---- */
+
+struct labels {
+    int *label;
+    int n, room;
+};
+
+static bool add_label(struct eval *eval, struct labels *labels, long long label, struct span span)
+{
+    if (labels->n >= LIMIT_WRITTEN_ROWS) {
+        diag_error(eval->diag, CODE_LIMIT_ROWS, span, "a pattern may have %d written rows", LIMIT_WRITTEN_ROWS);
+        return false;
+    }
+    if (labels->n == labels->room) {
+        int *larger;
+
+        labels->room = labels->room ? 2 * labels->room : 8;
+        larger = arena_array(eval->arena, int, (size_t)labels->room);
+        if (labels->n)
+            memcpy(larger, labels->label, (size_t)labels->n * sizeof *larger);
+        labels->label = larger;
+    }
+    labels->label[labels->n++] = (int)label;
+    return true;
+}
+
+static bool evaluate_labels(struct eval *eval, struct where where, const struct row_numbers *part, struct labels *labels)
+{
+    for (; part; part = part->next) {
+        long long first, last;
+
+        if (part->all)
+            continue;
+        if (!eval_whole(eval, where, part->first, 1, LIMIT_WRITTEN_ROWS, "a row number", &first))
+            return false;
+        last = first;
+        if (part->last && !eval_whole(eval, where, part->last, 1, LIMIT_WRITTEN_ROWS, "a row number", &last))
+            return false;
+        if (last < first) {
+            diag_error(eval->diag, CODE_ROW_NUMBER, part->span, "rows %lld-%lld go backwards", first, last);
+            return false;
+        }
+        for (long long label = first; label <= last; label++)
+            if (!add_label(eval, labels, label, part->span))
+                return false;
+    }
+    return true;
+}
+
+/* ---- rows ---- */
+
+static bool lower_check(struct eval *eval, struct where where, const struct row *row, struct row_text *text)
+{
+    text->check = -1;
+    text->check_span = row->check_span;
+    return !row->check || eval_whole(eval, where, row->check, 0, LIMIT_STITCHES, "the number of stitches", &text->check);
+}
+
+static bool lower_body(struct eval *eval, struct where where, const struct row *row, struct body *body,
+                       struct row_text *text)
+{
+    const struct row_text *other;
+    long long label, length;
+
+    if (row->body == BODY_AS_BELOW) {
+        text->as_below = true;
+        return true;
+    }
+    if (row->body == BODY_AS_ROW) {
+        if (!eval_whole(eval, where, row->reference, 1, LIMIT_WRITTEN_ROWS, "a row number", &label))
+            return false;
+        other = rows_find(body->rows, (int)label);
+        if (!other) {
+            diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "there is no row %lld before this one", label);
+            return false;
+        }
+        text->work = other->work;
+        text->as_below = other->as_below;
+        text->check = text->check < 0 ? other->check : text->check;
+        return true;
+    }
+    text->work = lower_items(eval, where, row->item);
+    if (!text->work || eval->items >= LIMIT_ITEMS)
+        return false;
+    return work_measure(eval->diag, text->work, &length);
+}
+
+static bool too_many_rows(struct eval *eval, struct span span)
+{
+    if (eval->written_rows++ < LIMIT_WRITTEN_ROWS)
+        return false;
+    diag_error(eval->diag, CODE_LIMIT_ROWS, span, "a pattern may have %d written rows", LIMIT_WRITTEN_ROWS);
+    return true;
+}
+
+static bool run_row(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    const struct row *row = &stmt->row;
+    struct row_text *text = arena_new(eval->arena, struct row_text);
+    struct labels labels = {0};
+
+    *text = (struct row_text){.side = row->side, .round = row->round, .span = row->body_span, .head = row->head};
+    if (too_many_rows(eval, row->head) || !evaluate_labels(eval, where, row->numbers, &labels) ||
+        !lower_check(eval, where, row, text))
+        return false;
+
+    /* A row with an error still counts: those after it keep their places. */
+    if (!lower_body(eval, where, row, body, text))
+        body->failed = true;
+    for (const struct row_numbers *part = row->numbers; part; part = part->next)
+        if (part->all)
+            rows_fill(body->rows, text, part->all, labels.n ? labels.label[0] : 1);
+    if (labels.n || !row->numbers)
+        rows_add(body->rows, text, labels.label, labels.n);
+    return true;
+}
+
+static bool run_again(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    const struct again *again = &stmt->again;
+    struct labels labels = {0};
+    long long n = 0, last;
+    int end = rows_last_label(body->rows);
+
+    if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
+        return false;
+    if (!evaluate_labels(eval, where, again->numbers, &labels))
+        return false;
+    if (again->last) {
+        if (!eval_whole(eval, where, again->last, 1, end, "the number of rows", &last))
+            return false;
+        for (long long label = end - last + 1; label <= end; label++)
+            if (!add_label(eval, &labels, label, stmt->span))
+                return false;
+    }
+    if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
+        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how often these rows are repeated is not said: not once more");
+        diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
+    }
+    if (again->kind == AGAIN_TIMES && n)
+        rows_again(body->rows, stmt->span, labels.label, labels.n, n, 0);
+    else if (again->kind == AGAIN_UNTIL_ROWS)
+        rows_again(body->rows, stmt->span, labels.label, labels.n, 0, n);
+    else
+        rows_again(body->rows, stmt->span, labels.label, 0, 0, 0);
+    return true;
+}
+
+static bool run_cast_on(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    if (!body->top || body->cast_on || rows_any(body->rows)) {
+        diag_error(eval->diag, CODE_CAST_ON, stmt->span,
+                   !body->top      ? "a motif is not cast on; its width is its multiple's"
+                   : body->cast_on ? "the stitches are cast on already"
+                                   : "the cast-on comes before the first row");
+        if (body->cast_on)
+            diag_note(eval->diag, body->cast_on_span, "here");
+        return false;
+    }
+    body->cast_on_span = stmt->span;
+    return eval_whole(eval, where, stmt->cast_on.n, 1, LIMIT_STITCHES, "the number of stitches", &body->cast_on);
+}
+
+/* ---- statements ---- */
+
+static bool run_chart(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    if (body->chart || rows_any(body->rows)) {
+        diag_error(eval->diag, CODE_MIXED_MOTIF, stmt->span, "a motif is one chart, or rows");
+        diag_hint(eval->diag, "give each its name and put them together: above(a, b), beside(a, b)");
+        return false;
+    }
+    body->chart = chart_read(eval, where.module, stmt, &body->box, &body->box_width);
+    return body->chart != NULL;
+}
+
+static bool run_for(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    double *point;
+    int n;
+
+    if (!eval_range(eval, where, &stmt->loop.range, &point, &n))
+        return false;
+    for (int i = 0; i < n && !body->failed; i++) {
+        struct local local = {stmt->loop.name.name, value_number(point[i], 0), where.local};
+
+        if (!eval_step(eval, stmt->span))
+            return false;
+        body_run(eval, (struct where){where.module, &local}, stmt->loop.body, body);
+    }
+    return true;
+}
+
+static bool run_if(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    double holds;
+
+    if (!eval_number(eval, where, stmt->choice.condition, 0, &holds))
+        return false;
+    body_run(eval, where, holds != 0 ? stmt->choice.then : stmt->choice.otherwise, body);
+    return true;
+}
+
+static bool misplaced(struct eval *eval, const struct stmt *stmt, const struct body *body)
+{
+    diag_error(eval->diag, CODE_PLACE, stmt->span, body->top ? "this cannot stand inside a loop or an `if`" : "this cannot stand inside a motif");
+    diag_hint(eval->diag, "inside stand rows, charts, `repeat rows`, `let`, `for` and `if`");
+    return false;
+}
+
+static bool run(struct eval *eval, struct where *where, const struct stmt *stmt, struct body *body)
+{
+    struct local *local;
+
+    switch (stmt->kind) {
+    case STMT_ROW:
+    case STMT_AGAIN:
+        if (body->chart) {
+            diag_error(eval->diag, CODE_MIXED_MOTIF, stmt->span, "a motif is one chart, or rows");
+            return false;
+        }
+        return stmt->kind == STMT_ROW ? run_row(eval, *where, stmt, body) : run_again(eval, *where, stmt, body);
+    case STMT_CHART:
+        return run_chart(eval, *where, stmt, body);
+    case STMT_FOR:
+        return run_for(eval, *where, stmt, body);
+    case STMT_IF:
+        return run_if(eval, *where, stmt, body);
+    case STMT_CAST_ON:
+        return run_cast_on(eval, *where, stmt, body);
+    case STMT_LET:
+        local = arena_new(eval->arena, struct local);
+        *local = (struct local){stmt->let.name.name, eval_expr(eval, *where, stmt->let.value), where->local};
+        where->local = local;
+        return local->value.kind != VALUE_BAD;
+    default:
+        return misplaced(eval, stmt, body);
+    }
+}
+
+void body_statement(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    if (stmt->kind == STMT_MULTIPLE)
+        body->multiple = stmt->multiple;
+    else if (!run(eval, &where, stmt, body))
+        body->failed = true;
+}
+
+void body_run(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    for (; stmt && !eval->exhausted; stmt = stmt->next)
+        if (!run(eval, &where, stmt, body))
+            body->failed = true;
+    if (eval->exhausted)
+        body->failed = true;
+}

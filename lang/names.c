@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Texts in, unique pointers out; a wrong word in, the nearest right one out. */
+#include "lang/names.h"
+
+#include <ctype.h>
+#include <string.h>
+
+struct name_entry {
+    struct name_entry *next;
+    size_t length;
+    const char *text;
+};
+
+/* FNV-1a. */
+static unsigned hash_of(const char *text, size_t length)
+{
+    unsigned hash = 2166136261u;
+
+    for (size_t i = 0; i < length; i++)
+        hash = (hash ^ (unsigned char)text[i]) * 16777619u;
+    return hash;
+}
+
+const char *names_intern(struct names *names, const char *text, size_t length)
+{
+    size_t nbuckets = sizeof names->bucket / sizeof *names->bucket;
+    struct name_entry **bucket = &names->bucket[hash_of(text, length) % nbuckets];
+    struct name_entry *entry;
+
+    for (entry = *bucket; entry; entry = entry->next)
+        if (entry->length == length && memcmp(entry->text, text, length) == 0)
+            return entry->text;
+    entry = arena_new(names->arena, struct name_entry);
+    *entry = (struct name_entry){*bucket, length, arena_copy(names->arena, text, length)};
+    *bucket = entry;
+    return entry->text;
+}
+
+enum { LONGEST = 40 };      /* longer words are compared no further */
+
+static int least(int a, int b, int c)
+{
+    int ab = a < b ? a : b;
+
+    return ab < c ? ab : c;
+}
+
+/* Insertions, deletions, replacements and swaps of neighbours that turn a into b. */
+static int distance(const char *a, const char *b)
+{
+    int row[3][LONGEST + 1];
+    int na = (int)strnlen(a, LONGEST), nb = (int)strnlen(b, LONGEST);
+    int *two = row[0], *one = row[1], *now = row[2];
+
+    for (int j = 0; j <= nb; j++)
+        one[j] = j;
+    for (int i = 1; i <= na; i++) {
+        int *free = two;
+
+        now[0] = i;
+        for (int j = 1; j <= nb; j++) {
+            int ca = tolower((unsigned char)a[i - 1]), cb = tolower((unsigned char)b[j - 1]);
+
+            now[j] = least(one[j] + 1, now[j - 1] + 1, one[j - 1] + (ca != cb));
+            if (i > 1 && j > 1 && ca == tolower((unsigned char)b[j - 2]) &&
+                cb == tolower((unsigned char)a[i - 2]) && two[j - 2] + 1 < now[j])
+                now[j] = two[j - 2] + 1;
+        }
+        two = one;
+        one = now;
+        now = free;
+    }
+    return one[nb];
+}
+
+struct nearest nearest_to(const char *word)
+{
+    size_t length = strnlen(word, LONGEST);
+
+    /* A third of the letters may be wrong, at least one, and never all. */
+    return (struct nearest){word, NULL, (int)(length < 3 ? length / 2 + 1 : length / 3 + 2)};
+}
+
+void nearest_offer(struct nearest *nearest, const char *candidate)
+{
+    int d = distance(nearest->word, candidate);
+
+    if (d < nearest->distance && d < (int)strnlen(candidate, LONGEST)) {
+        nearest->distance = d;
+        nearest->best = candidate;
+    }
+}
+
+const char *nearest_in(const char *word, const char *const *candidate, int n)
+{
+    struct nearest nearest = nearest_to(word);
+
+    for (int i = 0; i < n; i++)
+        nearest_offer(&nearest, candidate[i]);
+    return nearest.best;
+}

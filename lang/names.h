@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Names: equal texts become one pointer; and the nearest name to a wrong one. */
+#ifndef WEFT_NAMES_H
+#define WEFT_NAMES_H
+
+#include <stddef.h>
+
+#include "lang/arena.h"
+
+struct name_entry;
+
+struct names {
+    struct arena      *arena;
+    struct name_entry *bucket[1024];
+};
+
+/* The one pointer that stands for this text; compare with ==. */
+const char *names_intern(struct names *, const char *text, size_t length);
+
+/* A search for the candidate nearest to a word, upper and lower case alike:
+ * offer each candidate, then read `best`, NULL where none is near. */
+struct nearest {
+    const char *word;
+    const char *best;
+    int         distance;
+};
+struct nearest nearest_to(const char *word);
+void nearest_offer(struct nearest *, const char *candidate);
+
+/* The same over an array. */
+const char *nearest_in(const char *word, const char *const *candidate, int n);
+
+#endif

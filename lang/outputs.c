@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * `output` statements and -o options in, the scene's list of files out. */
+#include "lang/outputs.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "lang/limits.h"
+
+/* What each kind is called, the extensions it may have, and whether it is a
+ * surface, sampled per stitch. */
+static const struct kind {
+    const char *name;
+    const char *extension[5];
+    bool surface;
+} kinds[OUTPUT_KINDS] = {
+    [OUTPUT_REPORT] = {"report", {"json"}, false},
+    [OUTPUT_CHART] = {"chart", {"txt", "svg", "pdf", "png", "csv"}, false},
+    [OUTPUT_PICTURE] = {"picture", {"png", "svg", "pdf"}, false},
+    [OUTPUT_PLOT] = {"plot", {"svg", "pdf", "png"}, false},
+    [OUTPUT_TABLE] = {"table", {"csv"}, false},
+    [OUTPUT_PVD] = {"pvd", {"pvd"}, true},
+    [OUTPUT_VTP] = {"vtp", {"vtp"}, true},
+    [OUTPUT_OBJ] = {"obj", {"obj"}, true},
+    [OUTPUT_PLY] = {"ply", {"ply"}, true},
+    [OUTPUT_STL] = {"stl", {"stl"}, true},
+    [OUTPUT_GLB] = {"glb", {"glb"}, true},
+    [OUTPUT_HTML] = {"html", {"html"}, false},
+};
+
+/* The kind of an extension that says nothing else. */
+static const struct {
+    const char *extension;
+    enum output_kind kind;
+} by_extension[] = {
+    {"json", OUTPUT_REPORT}, {"txt", OUTPUT_CHART}, {"k", OUTPUT_CHART},  {"csv", OUTPUT_TABLE}, {"svg", OUTPUT_PICTURE},
+    {"png", OUTPUT_PICTURE}, {"pdf", OUTPUT_PICTURE}, {"pvd", OUTPUT_PVD}, {"vtp", OUTPUT_VTP},  {"obj", OUTPUT_OBJ},
+    {"ply", OUTPUT_PLY},     {"stl", OUTPUT_STL},     {"glb", OUTPUT_GLB}, {"html", OUTPUT_HTML},
+};
+
+const char *output_kind_name(enum output_kind kind)
+{
+    return kinds[kind].name;
+}
+
+static const char *extension_of(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+
+    return dot && dot[1] && dot != (slash ? slash + 1 : path) ? dot + 1 : "";
+}
+
+static bool kind_of_name(const char *name, enum output_kind *kind)
+{
+    for (int i = 0; i < OUTPUT_KINDS; i++)
+        if (strcmp(kinds[i].name, name) == 0) {
+            *kind = (enum output_kind)i;
+            return true;
+        }
+    return false;
+}
+
+static bool kind_of_extension(struct eval *eval, struct span span, const char *path, enum output_kind *kind)
+{
+    const char *extension = extension_of(path);
+
+    for (size_t i = 0; i < sizeof by_extension / sizeof *by_extension; i++)
+        if (strcasecmp(by_extension[i].extension, extension) == 0) {
+            *kind = by_extension[i].kind;
+            return true;
+        }
+    if (*extension)
+        diag_error(eval->diag, CODE_OUTPUT, span, "'.%s' is no kind of output", extension);
+    else
+        diag_error(eval->diag, CODE_OUTPUT, span, "'%s' has no extension that says what it is", path);
+    diag_hint(eval->diag, "surfaces: .pvd .vtp .obj .ply .stl .glb; others: .json .csv .txt .svg .png .pdf .html");
+    return false;
+}
+
+static void unknown_kind(struct eval *eval, struct span span, const char *name)
+{
+    struct nearest nearest = nearest_to(name);
+
+    for (int i = 0; i < OUTPUT_KINDS; i++)
+        nearest_offer(&nearest, kinds[i].name);
+    diag_error(eval->diag, CODE_OUTPUT, span, "'%s' is no kind of output", name);
+    diag_did_you_mean(eval->diag, nearest.best);
+}
+
+/* A named kind and the extension must go together. */
+static bool fits_extension(struct eval *eval, enum output_kind kind, struct span span, const char *path)
+{
+    const char *extension = extension_of(path), *list = "";
+
+    for (size_t i = 0; i < sizeof kinds->extension / sizeof *kinds->extension && kinds[kind].extension[i]; i++) {
+        if (strcasecmp(kinds[kind].extension[i], extension) == 0)
+            return true;
+        list = arena_printf(eval->arena, "%s%s.%s", list, i ? ", " : "", kinds[kind].extension[i]);
+    }
+    if (kind == OUTPUT_CHART && strcasecmp(extension, "k") == 0)
+        return true;
+    diag_error(eval->diag, CODE_OUTPUT, span, "a %s cannot be written as '%s'", kinds[kind].name, path);
+    diag_hint(eval->diag, "its extension is one of: %s", list);
+    return false;
+}
+
+/* ---- paths ---- */
+
+/* A param's value as part of a file's name. */
+static const char *value_text(struct eval *eval, struct value value)
+{
+    if (value.kind == VALUE_STRING)
+        return value.text;
+    for (int digits = 6; digits < 17; digits++) {
+        const char *text = arena_printf(eval->arena, "%.*g", digits, value.number);
+
+        if (strtod(text, NULL) == value.number)
+            return text;
+    }
+    return arena_printf(eval->arena, "%.17g", value.number);
+}
+
+static const char *param_text(struct eval *eval, const char *name, size_t length, struct span span)
+{
+    struct nearest nearest;
+    struct binding *binding = module_find(eval->main, names_intern(eval->names, name, length));
+    const char *word = arena_copy(eval->arena, name, length);
+
+    if (binding && binding->kind == BINDING_PARAM) {
+        struct value value = eval_binding(eval, binding, span);
+
+        return value.kind == VALUE_BAD ? NULL : value_text(eval, value);
+    }
+    nearest = nearest_to(word);
+    for (const struct binding *b = eval->main->first; b; b = b->after)
+        if (b->kind == BINDING_PARAM)
+            nearest_offer(&nearest, b->name);
+    diag_error(eval->diag, CODE_UNKNOWN_NAME, span, "there is no param '%s' for {%s}", word, word);
+    diag_did_you_mean(eval->diag, nearest.best);
+    return NULL;
+}
+
+/* "{n}" becomes the value of param n. */
+static const char *fill_in(struct eval *eval, const char *path, struct span span)
+{
+    const char *done = "", *open, *close;
+
+    for (; (open = strchr(path, '{')) != NULL; path = close + 1) {
+        const char *text;
+
+        close = strchr(open, '}');
+        if (!close) {
+            diag_error(eval->diag, CODE_OUTPUT, span, "a '{' in a path is closed by '}': {name of a param}");
+            return NULL;
+        }
+        text = param_text(eval, open + 1, (size_t)(close - open - 1), span);
+        if (!text)
+            return NULL;
+        done = arena_printf(eval->arena, "%s%.*s%s", done, (int)(open - path), path, text);
+    }
+    return arena_printf(eval->arena, "%s%s", done, path);
+}
+
+/* ---- the list ---- */
+
+static void add(struct eval *eval, struct outputs *outputs, struct span span, struct output output)
+{
+    if (!*output.path || output.path[strlen(output.path) - 1] == '/') {
+        diag_error(eval->diag, CODE_OUTPUT, span, "an output needs a file name");
+        return;
+    }
+    for (int i = 0; i < outputs->n; i++) {
+        if (strcmp(outputs->output[i].path, output.path) != 0)
+            continue;
+        if (span.source->command_line && outputs->output[i].kind == output.kind)
+            return;
+        diag_error(eval->diag, CODE_TWICE, span, "'%s' is written twice", output.path);
+        return;
+    }
+    if (outputs->n == LIMIT_OUTPUTS) {
+        diag_error(eval->diag, CODE_LIMIT_OUTPUTS, span, "a run writes %d files at most", LIMIT_OUTPUTS);
+        return;
+    }
+    if (!outputs->output)
+        outputs->output = arena_array(eval->arena, struct output, LIMIT_OUTPUTS);
+    outputs->output[outputs->n++] = output;
+}
+
+static bool read_pairs(struct eval *eval, const struct pair *pair, struct output *output)
+{
+    static const char *const known[] = {"per_stitch"};
+    long long n;
+
+    for (; pair; pair = pair->next) {
+        if (strcmp(pair->key, "per_stitch") != 0) {
+            diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "output has no key '%s'", pair->key);
+            diag_did_you_mean(eval->diag, nearest_in(pair->key, known, 1));
+            return false;
+        }
+        if (!kinds[output->kind].surface) {
+            diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "a %s has no samples per stitch",
+                       kinds[output->kind].name);
+            return false;
+        }
+        if (output->per_stitch) {
+            diag_error(eval->diag, CODE_TWICE, pair->key_span, "'per_stitch' is given twice");
+            return false;
+        }
+        if (!eval_whole(eval, (struct where){eval->main, NULL}, pair->value, 1, 64, "per_stitch", &n))
+            return false;
+        output->per_stitch = (int)n;
+    }
+    return true;
+}
+
+void outputs_statement(struct eval *eval, struct outputs *outputs, const struct stmt *stmt)
+{
+    struct span span = stmt->output.path_span;
+    const char *kind = stmt->output.kind.name;
+    struct output output = {.line = diag_place(stmt->span).line, .path = fill_in(eval, stmt->output.path, span)};
+
+    if (!output.path)
+        return;
+    if (kind && !kind_of_name(kind, &output.kind)) {
+        unknown_kind(eval, stmt->output.kind.span, kind);
+        return;
+    }
+    if (kind ? !fits_extension(eval, output.kind, span, output.path)
+             : !kind_of_extension(eval, span, output.path, &output.kind))
+        return;
+    if (read_pairs(eval, stmt->output.pair, &output))
+        add(eval, outputs, span, output);
+}
+
+/* PATH or KIND:PATH; a colon behind something that is no word is part of the path. */
+void outputs_option(struct eval *eval, struct outputs *outputs, const struct source *source)
+{
+    const char *text = source->text, *colon = strchr(text, ':');
+    size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyz");
+    struct output output = {.path = text};
+    struct span span = {source, 0, (unsigned)source->size};
+
+    if (colon && length && colon == text + length) {
+        output.path = colon + 1;
+        if (!kind_of_name(arena_copy(eval->arena, text, length), &output.kind)) {
+            unknown_kind(eval, (struct span){source, 0, (unsigned)length}, arena_copy(eval->arena, text, length));
+            return;
+        }
+        if (!fits_extension(eval, output.kind, span, output.path))
+            return;
+    } else if (!kind_of_extension(eval, span, text, &output.kind)) {
+        return;
+    }
+    output.path = fill_in(eval, output.path, span);
+    if (output.path)
+        add(eval, outputs, span, output);
+}

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Parses one text; first looks whether it is a script at all. */
+#include "lang/parse.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "lang/limits.h"
+#include "lang/scanner.h"
+
+/* The first bytes of files that are something else, and what they are. */
+static const struct format {
+    const char *first;
+    const char *what;
+    const char *advice;
+} formats[] = {
+    {"{", "this is a JSON file, not a script", NULL},
+    {"[", "this is a JSON file, not a script", NULL},
+    {"<", "this is an XML or HTML file, not a script", "save the pattern's text alone and try again"},
+    {"%PDF", "this is a PDF file, not a script", "copy the pattern's text out of it into a file of its own"},
+    {"\x89PNG", "this is a picture, not a script", "`weft import` reads charts from pictures"},
+    {";!knitout", "this is a knitout file, not a script", "`weft import` makes a script of it"},
+};
+
+static struct span whole_line(const struct source *source, size_t at)
+{
+    return diag_line_around((struct span){source, (unsigned)at, (unsigned)at});
+}
+
+static bool is_other_format(struct diag *diag, const struct source *source, const char *text)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (strncmp(text, formats[i].first, strlen(formats[i].first)) == 0) {
+            diag_error(diag, CODE_NOT_A_SCRIPT, whole_line(source, (size_t)(text - source->text)), "%s",
+                       formats[i].what);
+            if (formats[i].advice)
+                diag_hint(diag, "%s", formats[i].advice);
+            return true;
+        }
+    return false;
+}
+
+/* Bytes that text does not have. */
+static bool is_binary(struct diag *diag, const struct source *source)
+{
+    for (size_t i = 0; i < source->size; i++) {
+        unsigned char c = (unsigned char)source->text[i];
+
+        if (c < 0x20 && !strchr("\t\n\r\f\v", c ? c : 1)) {
+            diag_error(diag, CODE_NOT_A_SCRIPT, (struct span){source, 0, 0},
+                       "this is a binary file, not a script (its byte %zu is 0x%02X)", i + 1, c);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Nothing but K and P, perhaps under a line `# 4 4`: a stitch grid. */
+static bool is_stitch_grid(struct diag *diag, const struct source *source, const char *text)
+{
+    size_t header = 0, stitches;
+
+    if (*text == '#') {
+        header = 1 + strspn(text + 1, " \t0123456789");
+        if (text[header] != '\n' && text[header] != '\r')
+            return false;
+    }
+    stitches = strspn(text + header, "KPkp \t\r\n");
+    if (text[header + stitches] || stitches < 4 || !strpbrk(text + header, "KPkp"))
+        return false;
+    diag_error(diag, CODE_NOT_A_SCRIPT, whole_line(source, (size_t)(text - source->text)),
+               "this is a grid of K and P, not a script");
+    diag_hint(diag, "`weft import %s -o pattern.knit` makes a script of it", source->name);
+    return true;
+}
+
+static bool is_too_long(struct diag *diag, const struct source *source)
+{
+    size_t start = 0;
+
+    if (source->size > LIMIT_FILE) {
+        diag_error(diag, CODE_LIMIT_FILE, (struct span){source, 0, 0}, "the file is longer than %d bytes", LIMIT_FILE);
+        return true;
+    }
+    for (size_t i = 0; i <= source->size; i++) {
+        if (i < source->size && source->text[i] != '\n' && source->text[i] != '\r')
+            continue;
+        if (i - start > LIMIT_LINE) {
+            diag_error(diag, CODE_LIMIT_LINE, (struct span){source, (unsigned)start, (unsigned)start},
+                       "this line is %zu bytes long; a line may have %d", i - start, LIMIT_LINE);
+            return true;
+        }
+        start = i + 1;
+    }
+    return false;
+}
+
+static bool is_script(struct diag *diag, const struct source *source, const char *text)
+{
+    const char *first = text + strspn(text, " \t\r\n\f\v");
+
+    if (is_too_long(diag, source) || is_binary(diag, source))
+        return false;
+    if (!*first) {
+        diag_error(diag, CODE_NOT_A_SCRIPT, (struct span){source, 0, 0}, "the file is empty");
+        diag_hint(diag, "a pattern of two lines: `Cast on 20 sts` and `Row 1: *k2, p2; rep from *`");
+        return false;
+    }
+    return !is_other_format(diag, source, first) && !is_stitch_grid(diag, source, first);
+}
+
+struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
+{
+    struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
+    struct scanner scanner = {.parse = &parse, .start = TOKEN_START_FILE};
+
+    /* A byte order mark says nothing to us. */
+    if (source->size >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0)
+        scanner.at = 3;
+    if (!is_script(diag, source, source->text + scanner.at))
+        return NULL;
+    parse.scanner = &scanner;
+    scanner_parse(&scanner);
+    return parse.file;
+}
+
+struct expr *parse_expression(struct arena *arena, struct diag *diag, struct names *names, const struct source *source,
+                              unsigned start)
+{
+    struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
+    struct scanner scanner = {.parse = &parse, .at = start, .start = TOKEN_START_EXPRESSION};
+
+    parse.scanner = &scanner;
+    scanner_parse(&scanner);
+    if (!parse.expression)
+        parse.expression = expr_bad(&parse, (struct span){source, start, (unsigned)source->size});
+    return parse.expression;
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Between the scanner, the parser and their caller: one text in, its syntax
+ * tree out. */
+#ifndef WEFT_PARSE_H
+#define WEFT_PARSE_H
+
+#include "lang/ast.h"
+#include "lang/names.h"
+
+struct parse {
+    struct arena        *arena;
+    struct diag         *diag;
+    struct names        *names;
+    const struct source *source;
+    struct stmt         *file;          /* the result: statements, */
+    struct expr         *expression;    /* or the value of an option */
+    struct scanner      *scanner;
+};
+
+/* Statements of a whole script; NULL also for one without any. Errors are in diag. */
+struct stmt *parse_file(struct arena *, struct diag *, struct names *, const struct source *);
+
+/* The expression at byte `start` of a text and to its end; never NULL. */
+struct expr *parse_expression(struct arena *, struct diag *, struct names *, const struct source *, unsigned start);
+
+/* Words a statement can begin with, for "did you mean". */
+extern const char *const statement_word[];
+extern const int nstatement_words;
+
+#endif

@@ -1,0 +1,533 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The grammar of .knit: tokens in, syntax tree out.  Actions only call
+ * constructors; what a statement means is found out later. */
+%require "3.8"
+%define api.pure full
+%define api.prefix {knit_}
+%define api.location.type {struct span}
+%define api.token.prefix {TOKEN_}
+%define parse.error custom
+%define parse.lac full
+%locations
+%expect 0
+%parse-param {struct parse *parse} {void *scanner}
+%lex-param   {void *scanner}
+
+%code requires {
+#include "lang/parse.h"
+
+/* Lists under construction. */
+struct exprs     { struct expr *first, *last; };
+struct arguments { struct argument *first, *last; };
+struct items     { struct item *first, *last; };
+struct pairs     { struct pair *first, *last; };
+struct names_at  { struct name_at *first, *last; };
+struct formals   { struct formal *first, *last; };
+struct symbols   { struct symbol *first, *last; };
+struct axes      { struct axis *first, *last; };
+struct stmts     { struct stmt *first, *last; };
+struct numbers   { struct row_numbers *first, *last; };
+}
+
+%code provides {
+int knit_lex(KNIT_STYPE *, KNIT_LTYPE *, void *scanner);
+}
+
+%code {
+#include "lang/limits.h"
+#include "lang/syntax.h"
+
+#undef YYMAXDEPTH
+#define YYMAXDEPTH LIMIT_PARSER_STACK
+
+/* The span of a rule: from its first piece to its last. */
+#define YYLLOC_DEFAULT(all, piece, n)                                                                     \
+    ((all) = (n) ? span_join(YYRHSLOC(piece, 1), YYRHSLOC(piece, n))                                      \
+                 : (struct span){YYRHSLOC(piece, 0).source, YYRHSLOC(piece, 0).end, YYRHSLOC(piece, 0).end})
+
+#define APPEND(list, node)                                                                                \
+    ((list).last = (list).last ? ((list).last->next = (node)) : ((list).first = (node)))
+
+static void knit_error(const struct span *at, struct parse *parse, void *scanner, const char *text)
+{
+    (void)scanner;
+    (void)text;
+    syntax_too_deep(parse, *at);
+}
+
+#define UNARY(op, whole, a) expr_operation(parse, EXPR_UNARY, whole, op, a, NULL, NULL)
+#define BINARY(op, whole, a, b) expr_operation(parse, EXPR_BINARY, whole, op, a, b, NULL)
+}
+
+%union {
+    struct { double value; int dimension; } number;
+    const char *text;
+    enum side side;
+    enum all_kind all;
+    struct expr *expr;
+    struct exprs exprs;
+    struct argument *argument;
+    struct arguments arguments;
+    struct item *item;
+    struct items items;
+    struct until until;
+    struct pair *pair;
+    struct pairs pairs;
+    struct name_at name;
+    struct names_at names;
+    struct formal *formal;
+    struct formals formals;
+    struct symbol *symbol;
+    struct symbols symbols;
+    struct axis *axis;
+    struct axes axes;
+    struct stmt *stmt;
+    struct stmts stmts;
+    struct row_numbers *part;
+    struct numbers numbers;
+    struct range range;
+    struct multiple multiple;
+    struct row row;
+    struct again again;
+}
+
+%token END 0            "the end of the text"
+%token NEWLINE          "the end of the line"
+%token START_FILE       "a script"
+%token START_EXPRESSION "a value"
+
+%token <text> NAME      "a name"
+%token <text> STRING    "a text in quotes"
+%token <number> NUMBER  "a number"
+%token <text> SYMBOL    "a chart symbol"
+%token <text> CHART_LINE "a line of a chart"
+
+%token KNIT             "'knit'"
+%token USE              "'use'"
+%token AS               "'as'"
+%token FROM             "'from'"
+%token LET              "'let'"
+%token PARAM            "'param'"
+%token STITCH           "'stitch'"
+%token MOTIF            "'motif'"
+%token MULTIPLE_OF      "'multiple of'"
+%token SWATCH           "'swatch'"
+%token <text> BLOCK     "a block"
+%token OUTPUT           "'output'"
+%token SWEEP            "'sweep'"
+%token FOR              "'for'"
+%token IF               "'if'"
+%token ELSE             "'else'"
+%token CHART            "'chart'"
+%token EACH             "'each'"
+%token IN               "'in'"
+%token BY               "'by'"
+%token MOD              "'mod'"
+
+%token CAST_ON          "'cast on'"
+%token <side> ROW       "'row'"
+%token <side> ROW_WORD  "'rows'"
+%token <all> ALL        "'all rows'"
+%token <side> SIDE      "RS or WS"
+%token AND              "'and'"
+%token RANGE            "'-' between row numbers"
+%token REPEAT_ROWS      "'repeat rows'"
+%token REPEAT_LAST      "'repeat the last'"
+%token FOR_PATTERN      "'for pattern'"
+%token UNTIL_ROWS       "'until the piece has'"
+
+%token STAR             "'*' in a row"
+%token REP_FROM         "'rep from *'"
+%token REP              "'repeat'"
+%token TO_END           "'to end'"
+%token TO_LAST          "'to last'"
+%token UNTIL            "'until'"
+%token REMAIN           "'remain'"
+%token STS              "'sts'"
+%token MORE             "'more'"
+%token TIMES            "'times'"
+%token <number> TWICE   "'twice'"
+%token CROSS            "'x' (times)"
+%token AS_ROW           "'as row'"
+%token AS_BELOW         "'knit the knits and purl the purls'"
+%token DASH             "'--'"
+%token HOLE             "'{' of a number"
+
+%token DOTS             "'..'"
+%token LESS_EQUAL       "'<='"
+%token GREATER_EQUAL    "'>='"
+%token EQUAL            "'=='"
+%token UNEQUAL          "'!='"
+%token AND_AND          "'&&'"
+%token OR_OR            "'||'"
+%token LBRACE '{'       "'{'"
+%token RBRACE '}'       "'}'"
+%token LPAREN '('       "'('"
+%token RPAREN ')'       "')'"
+%token LBRACKET '['     "'['"
+%token RBRACKET ']'     "']'"
+%token IS '='           "'='"
+%token COMMA ','        "','"
+%token COLON ':'        "':'"
+%token QUESTION '?'     "'?'"
+%token LESS '<'         "'<'"
+%token GREATER '>'      "'>'"
+%token PLUS '+'         "'+'"
+%token MINUS '-'        "'-'"
+%token TIMES_SIGN '*'   "'*'"
+%token SLASH '/'        "'/'"
+%token NOT '!'          "'!'"
+%token DOT '.'          "'.'"
+
+%precedence EACH_TAIL
+%right '?' ':'
+%left OR_OR
+%left AND_AND
+%left EQUAL UNEQUAL
+%left '<' '>' LESS_EQUAL GREATER_EQUAL
+%left '+' '-'
+%left '*' '/' MOD
+%precedence SIGN
+
+%type <expr>      expr postfix primary count
+%type <exprs>     exprs exprs_1
+%type <argument>  argument
+%type <arguments> arguments arguments_1
+%type <stmt>      line statement simple if row_statement repeat_statement
+%type <stmts>     lines
+%type <name>      name string kind
+%type <names>     names chart_lines
+%type <pair>      setting
+%type <pairs>     settings block block_opt
+%type <formal>    formal
+%type <formals>   formals formals_1
+%type <multiple>  multiple multiple_opt
+%type <range>     range limits
+%type <axis>      axis
+%type <axes>      axes
+%type <symbol>    symbol
+%type <symbols>   chart_key symbols
+%type <text>      symbol_text
+%type <row>       row_head row_body
+%type <part>      part
+%type <numbers>   parts
+%type <side>      row_sides
+%type <item>      item element
+%type <items>     items elements
+%type <until>     until position times
+%type <expr>      check
+%type <again>     again
+
+%%
+
+start:
+  START_FILE lines                      { (void)yynerrs; parse->file = $lines.first; }
+| START_EXPRESSION expr NEWLINE         { parse->expression = $expr; }
+| START_EXPRESSION expr                 { parse->expression = $expr; }
+;
+
+lines:
+  line                                  { $$ = (struct stmts){$line, $line}; }
+| lines[all] NEWLINE line               { $$ = $all; if ($line) APPEND($$, $line); }
+;
+
+line:
+  %empty                                { $$ = NULL; }
+| statement
+| error                                 { $$ = NULL; yyerrok; }
+;
+
+statement: simple | if | row_statement | repeat_statement;
+
+simple:
+  KNIT expr                             { $$ = stmt_expr(parse, STMT_VERSION, @$, $expr); }
+| USE string                            { $$ = stmt_use(parse, @$, NULL, (struct name_at){0}, $string, false); }
+| USE string AS name                    { $$ = stmt_use(parse, @$, NULL, $name, $string, false); }
+| USE names FROM string                 { $$ = stmt_use(parse, @$, $names.first, (struct name_at){0}, $string, false); }
+| USE names FROM name                   { $$ = stmt_use(parse, @$, $names.first, (struct name_at){0}, $name, true); }
+| LET name '=' expr                     { $$ = stmt_let(parse, @$, $name, $expr); }
+| PARAM name '=' expr limits            { $$ = stmt_param(parse, @$, $name, $expr, $limits, NULL); }
+| PARAM name '=' expr limits string     { $$ = stmt_param(parse, @$, $name, $expr, $limits, $string.name); }
+| STITCH name block                     { $$ = stmt_block(parse, STMT_STITCH, @$, $name, $block.first); }
+| BLOCK block                           { $$ = stmt_block(parse, STMT_BLOCK, @$, (struct name_at){$BLOCK, @BLOCK, NULL}, $block.first); }
+| MOTIF name formals multiple_opt '{' lines '}'
+                                        { $$ = stmt_motif(parse, span_join(@1, @4), $name, $formals.first, $4, $lines.first, NULL); }
+| MOTIF name formals multiple_opt '=' expr
+                                        { $$ = stmt_motif(parse, span_join(@1, @4), $name, $formals.first, $4, NULL, $expr); }
+| SWATCH expr                           { $$ = stmt_expr(parse, STMT_SWATCH, @$, $expr); }
+| OUTPUT kind string block_opt          { $$ = stmt_output(parse, span_join(@1, @3), $kind, $string, $4.first); }
+| SWEEP axes                            { $$ = stmt_sweep(parse, @$, $axes.first); }
+| FOR name IN range '{' lines '}'       { $$ = stmt_for(parse, span_join(@1, @4), $name, $range, $lines.first); }
+| CHART chart_key '{' chart_lines '}'   { $$ = stmt_chart(parse, span_join(@1, @2), $2.first, $4.first); }
+| CAST_ON count sts                     { $$ = stmt_expr(parse, STMT_CAST_ON, @$, $count); }
+| multiple                              { $$ = stmt_multiple(parse, $multiple); }
+;
+
+if:
+  IF expr '{' lines '}'                 { $$ = stmt_if(parse, span_join(@1, @2), $expr, $lines.first, NULL); }
+| IF expr '{' lines[then] '}' ELSE '{' lines[other] '}'
+                                        { $$ = stmt_if(parse, span_join(@1, @2), $expr, $then.first, $other.first); }
+| IF expr '{' lines '}' ELSE if[other]  { $$ = stmt_if(parse, span_join(@1, @2), $expr, $lines.first, $other); }
+;
+
+name: NAME                              { $$ = (struct name_at){$1, @1, NULL}; };
+string: STRING                          { $$ = (struct name_at){$1, @1, NULL}; };
+kind: %empty                            { $$ = (struct name_at){0}; } | name;
+
+names:
+  name                                  { struct name_at *n = ast_name(parse, @1, $1.name); $$ = (struct names_at){n, n}; }
+| names[all] ',' name                   { $$ = $all; APPEND($$, ast_name(parse, @name, $name.name)); }
+;
+
+/* ---- headers of motifs and params ---- */
+
+formals:
+  %empty                                { $$ = (struct formals){0}; }
+| '(' ')'                               { $$ = (struct formals){0}; }
+| '(' formals_1 ')'                     { $$ = $2; }
+;
+formals_1:
+  formal                                { $$ = (struct formals){$1, $1}; }
+| formals_1[all] ',' formal             { $$ = $all; APPEND($$, $formal); }
+;
+formal:
+  name                                  { $$ = ast_formal(parse, @$, $1.name, NULL); }
+| name '=' expr                         { $$ = ast_formal(parse, @$, $1.name, $expr); }
+;
+
+multiple_opt: %empty                    { $$ = (struct multiple){.span = @$}; } | multiple;
+multiple:
+  MULTIPLE_OF count sts                 { $$ = (struct multiple){$count, NULL, @$}; }
+| MULTIPLE_OF count[of] sts '+' count[plus] sts
+                                        { $$ = (struct multiple){$of, $plus, @$}; }
+;
+sts: %empty | STS;
+
+limits:
+  %empty                                { $$ = (struct range){.span = @$}; }
+| IN expr[low] DOTS expr[high]          { $$ = (struct range){$low, $high, NULL, @$}; }
+;
+
+range:
+  expr                                  { $$ = (struct range){$1, NULL, NULL, @$}; }
+| expr[low] DOTS expr[high]             { $$ = (struct range){$low, $high, NULL, @$}; }
+| expr[low] DOTS expr[high] BY expr[step] { $$ = (struct range){$low, $high, $step, @$}; }
+;
+
+axes:
+  axis                                  { $$ = (struct axes){$1, $1}; }
+| axes[all] ',' axis                    { $$ = $all; APPEND($$, $axis); }
+;
+axis: name IN range                     { $$ = ast_axis(parse, $name, $range); };
+
+/* ---- blocks of settings ---- */
+
+block_opt: %empty                       { $$ = (struct pairs){0}; } | block;
+block: '{' settings '}'                 { $$ = $settings; };
+settings:
+  setting                               { $$ = (struct pairs){$1, $1}; }
+| settings[all] NEWLINE setting         { $$ = $all; if ($setting) APPEND($$, $setting); }
+;
+setting:
+  %empty                                { $$ = NULL; }
+| name '=' expr                         { $$ = ast_pair(parse, @name, $name.name, $expr); }
+| error                                 { $$ = NULL; yyerrok; }
+;
+
+/* ---- charts ---- */
+
+chart_key:
+  %empty                                { $$ = (struct symbols){0}; }
+| '(' symbols ')'                       { $$ = $symbols; }
+;
+symbols:
+  symbol                                { $$ = (struct symbols){$1, $1}; }
+| symbols[all] ',' symbol               { $$ = $all; APPEND($$, $symbol); }
+;
+symbol:
+  symbol_text '=' symbol_text[stitch]   { $$ = ast_symbol(parse, @1, $1, (struct name_at){$stitch, @stitch, NULL}); };
+symbol_text: SYMBOL | STRING;
+chart_lines:
+  %empty                                { $$ = (struct names_at){0}; }
+| chart_lines[all] CHART_LINE           { $$ = $all; APPEND($$, ast_name(parse, @2, $2)); }
+;
+
+/* ---- written rows ---- */
+
+row_statement: row_head ':' row_body    { $$ = stmt_row(parse, @$, syntax_row($row_head, @1, $row_body, @3)); };
+
+row_head:
+  ROW row_sides                         { $$ = syntax_head(parse, $ROW, $2, NULL); }
+| ROW row_sides parts                   { $$ = syntax_head(parse, $ROW, $2, $parts.first); }
+| ALL                                   { $$ = syntax_head(parse, SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, NULL, $ALL)); }
+;
+row_sides:
+  %empty                                { $$ = SIDE_OPEN; }
+| row_sides[all] SIDE                   { $$ = $SIDE; (void)$all; }
+;
+
+parts:
+  part                                  { $$ = (struct numbers){$1, $1}; }
+| parts[all] and part                   { $$ = $all; APPEND($$, $part); }
+;
+and: ',' | AND | ',' AND;
+part:
+  count                                 { $$ = ast_row_numbers(parse, @$, $count, NULL, ALL_NONE); }
+| count[first] RANGE count[last]        { $$ = ast_row_numbers(parse, @$, $first, $last, ALL_NONE); }
+| ALL                                   { $$ = ast_row_numbers(parse, @$, NULL, NULL, $ALL); }
+| part[of] SIDE                         { $$ = $of; $$->side = $SIDE; }
+| part[of] ROW_WORD                     { $$ = $of; $$->round |= $ROW_WORD == SIDE_RS; }
+;
+
+row_body:
+  elements                              { $$ = (struct row){.item = $1.first}; }
+| elements check                        { $$ = (struct row){.item = $1.first, .check = $check, .check_span = @check}; }
+| AS_ROW count                          { $$ = (struct row){.body = BODY_AS_ROW, .reference = $count}; }
+| AS_BELOW                              { $$ = (struct row){.body = BODY_AS_BELOW}; }
+;
+
+elements:
+  element                               { $$ = (struct items){$1, $1}; }
+| elements[all] element                 { $$ = $all; APPEND($$, $element); }
+;
+element:
+  item
+| STAR items REP_FROM until             { $$ = item_group(parse, ITEM_REP_FROM, @$, $items.first, $until); }
+| STAR items STAR until                 { $$ = item_group(parse, ITEM_STARS, @$, $items.first, $until); }
+| STAR items STAR REP until             { $$ = item_group(parse, ITEM_REP_FROM, @$, $items.first, $until); }
+;
+
+items:
+  item                                  { $$ = (struct items){$1, $1}; }
+| items[all] item                       { $$ = $all; APPEND($$, $item); }
+;
+item:
+  NAME                                  { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
+| NAME position                         { $$ = item_stitch(parse, @$, $1, NULL, $position); }
+| NAME TWICE                            { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, expr_number(parse, @2, $2.value, 0), @2}); }
+| NAME STS                              { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
+| NAME count sts                        { $$ = item_stitch(parse, @$, $1, $count, (struct until){.span = @1}); }
+| NAME count TIMES                      { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, $count, span_join(@2, @3)}); }
+| '(' items ')' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }
+| '[' items ']' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }
+;
+
+until:
+  %empty                                { $$ = (struct until){.span = @$}; }
+| position
+| times
+;
+position:
+  TO_END                                { $$ = (struct until){UNTIL_END, NULL, @$}; }
+| TO_LAST STS                           { $$ = (struct until){UNTIL_LAST, expr_number(parse, @$, 1, 0), @$}; }
+| TO_LAST count sts                     { $$ = (struct until){UNTIL_LAST, $count, @$}; }
+| UNTIL count sts REMAIN                { $$ = (struct until){UNTIL_LAST, $count, @$}; }
+;
+times:
+  count TIMES                           { $$ = (struct until){UNTIL_TIMES, $count, @$}; }
+| count MORE TIMES                      { $$ = (struct until){UNTIL_MORE, $count, @$}; }
+| CROSS count                           { $$ = (struct until){UNTIL_TIMES, $count, @$}; }
+| TWICE                                 { $$ = (struct until){UNTIL_TIMES, expr_number(parse, @1, $1.value, 0), @$}; }
+| TWICE MORE                            { $$ = (struct until){UNTIL_MORE, expr_number(parse, @1, $1.value, 0), @$}; }
+;
+
+check:
+  '(' count STS remain ')'              { $$ = $count; }
+| '[' count STS remain ']'              { $$ = $count; }
+| DASH count STS remain                 { $$ = $count; }
+;
+remain: %empty | REMAIN;
+
+count:
+  NUMBER                                { $$ = expr_number(parse, @$, $1.value, $1.dimension); }
+| HOLE expr '}'                         { $$ = $expr; }
+;
+
+repeat_statement:
+  REPEAT_ROWS parts again               { $$ = stmt_again(parse, @$, syntax_again($parts.first, NULL, $again)); }
+| REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
+;
+again:
+  %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }
+| FOR_PATTERN                           { $$ = (struct again){.kind = AGAIN_PATTERN, .pattern = true}; }
+| count TIMES                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
+| count MORE TIMES                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
+| TWICE                                 { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
+| TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
+| UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
+;
+
+/* ---- expressions ---- */
+
+expr:
+  postfix
+| '-' expr[a]  %prec SIGN               { $$ = UNARY(OP_NEGATE, @$, $a); }
+| '!' expr[a]  %prec SIGN               { $$ = UNARY(OP_NOT, @$, $a); }
+| expr[a] '+' expr[b]                   { $$ = BINARY(OP_ADD, @$, $a, $b); }
+| expr[a] '-' expr[b]                   { $$ = BINARY(OP_SUBTRACT, @$, $a, $b); }
+| expr[a] '*' expr[b]                   { $$ = BINARY(OP_MULTIPLY, @$, $a, $b); }
+| expr[a] '/' expr[b]                   { $$ = BINARY(OP_DIVIDE, @$, $a, $b); }
+| expr[a] MOD expr[b]                   { $$ = BINARY(OP_MOD, @$, $a, $b); }
+| expr[a] '<' expr[b]                   { $$ = BINARY(OP_LESS, @$, $a, $b); }
+| expr[a] '>' expr[b]                   { $$ = BINARY(OP_GREATER, @$, $a, $b); }
+| expr[a] LESS_EQUAL expr[b]            { $$ = BINARY(OP_AT_MOST, @$, $a, $b); }
+| expr[a] GREATER_EQUAL expr[b]         { $$ = BINARY(OP_AT_LEAST, @$, $a, $b); }
+| expr[a] EQUAL expr[b]                 { $$ = BINARY(OP_EQUAL, @$, $a, $b); }
+| expr[a] UNEQUAL expr[b]               { $$ = BINARY(OP_UNEQUAL, @$, $a, $b); }
+| expr[a] AND_AND expr[b]               { $$ = BINARY(OP_AND, @$, $a, $b); }
+| expr[a] OR_OR expr[b]                 { $$ = BINARY(OP_OR, @$, $a, $b); }
+| expr[a] '?' expr[b] ':' expr[c]       { $$ = expr_operation(parse, EXPR_CHOICE, @$, OP_OR, $a, $b, $c); }
+| EACH '(' name[x] ',' name[y] ')' IN expr[columns] BY expr[rows] ':' expr[cell]  %prec EACH_TAIL
+                                        { $$ = expr_each(parse, @$, $x, $y, $columns, $rows, $cell); }
+;
+
+postfix:
+  primary
+| postfix[a] '[' expr[b] ']'            { $$ = expr_operation(parse, EXPR_INDEX, @$, OP_OR, $a, $b, NULL); }
+| postfix[a] '(' arguments ')'          { $$ = expr_call(parse, @$, $a, $arguments.first); }
+;
+
+primary:
+  NUMBER                                { $$ = expr_number(parse, @$, $1.value, $1.dimension); }
+| STRING                                { $$ = expr_text(parse, EXPR_STRING, @$, $1); }
+| NAME                                  { $$ = expr_text(parse, EXPR_NAME, @$, $1); }
+| NAME[space] '.' NAME[member]          { $$ = expr_member(parse, @$, $space, $member); }
+| '(' expr ')'                          { $$ = $2; $$->span = @$; }
+| '[' exprs ']'                         { $$ = expr_list(parse, @$, $exprs.first); }
+| '(' error ')'                         { $$ = expr_bad(parse, @$); }
+;
+
+exprs: %empty                           { $$ = (struct exprs){0}; } | exprs_1;
+exprs_1:
+  expr                                  { $$ = (struct exprs){$1, $1}; }
+| exprs_1[all] ',' expr                 { $$ = $all; APPEND($$, $expr); }
+;
+
+arguments: %empty                       { $$ = (struct arguments){0}; } | arguments_1;
+arguments_1:
+  argument                              { $$ = (struct arguments){$1, $1}; }
+| arguments_1[all] ',' argument         { $$ = $all; APPEND($$, $argument); }
+;
+argument:
+  expr                                  { $$ = ast_argument(parse, @$, NULL, $1); }
+| name '=' expr                         { $$ = ast_argument(parse, @$, $1.name, $expr); }
+;
+
+%%
+
+static int yyreport_syntax_error(const yypcontext_t *context, struct parse *parse, void *scanner)
+{
+    yysymbol_kind_t symbol[SYNTAX_EXPECTED];
+    const char *expected[SYNTAX_EXPECTED];
+    yysymbol_kind_t found = yypcontext_token(context);
+    int n = yypcontext_expected_tokens(context, symbol, SYNTAX_EXPECTED);
+
+    (void)scanner;
+    if (n < 0)
+        return n;
+    for (int i = 0; i < n; i++)
+        expected[i] = yysymbol_name(symbol[i]);
+    syntax_error(parse, *yypcontext_location(context), found == YYSYMBOL_YYEMPTY ? NULL : yysymbol_name(found),
+                 expected, n);
+    return 0;
+}

@@ -1,0 +1,383 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The arithmetic of one row: its text in, the widths it fits and its stitches
+ * in working order out. */
+#include "lang/row_fit.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "lang/limits.h"
+
+static const long long many = 1LL << 40;    /* lengths stop growing here */
+
+static long long least(long long a, long long b)
+{
+    return a < b ? a : b;
+}
+
+static long long times(long long a, long long b)
+{
+    return a && b > many / a ? many : a * b;
+}
+
+/* The length of something worked a definite number of times, or -1. */
+static long long fixed_length(const struct work *work)
+{
+    return work->until == WORK_TIMES ? times(work->length, work->n) : -1;
+}
+
+bool work_measure(struct diag *diag, struct work *work, long long *length)
+{
+    *length = 0;
+    for (; work; work = work->next) {
+        if (work->child && !work_measure(diag, work->child, &work->length))
+            return false;
+        for (const struct work *part = work->child; part; part = part->next)
+            if (part->until != WORK_TIMES) {
+                diag_error(diag, CODE_ROW_REPEAT, part->span, "inside a repeat the number of times must be given");
+                return false;
+            }
+        if (work->length < 1) {
+            diag_error(diag, CODE_ROW_REPEAT, work->span, "there is nothing to work here");
+            return false;
+        }
+        if (fixed_length(work) > 0)
+            *length = least(many, *length + fixed_length(work));
+    }
+    return true;
+}
+
+/* ---- which widths fit ---- */
+
+static long long gcd(long long a, long long b)
+{
+    while (b) {
+        long long r = a % b;
+
+        a = b;
+        b = r;
+    }
+    return a;
+}
+
+bool fit_has(const struct fit *fit, long long width)
+{
+    if (!fit->multiple)
+        return width == fit->plus;
+    return width >= fit->least && (width - fit->plus) % fit->multiple == 0;
+}
+
+/* The Chinese remainders, by steps: moduli are small, and the limit bounds the search. */
+bool fit_join(const struct fit *a, const struct fit *b, struct fit *both)
+{
+    long long low = a->least > b->least ? a->least : b->least, period, width;
+
+    if (!a->multiple || !b->multiple) {
+        *both = a->multiple ? *b : *a;
+        return fit_has(a, both->plus) && fit_has(b, both->plus);
+    }
+    if (a->multiple < b->multiple) {
+        const struct fit *swap = a;
+
+        a = b;
+        b = swap;
+    }
+    if ((a->plus - b->plus) % gcd(a->multiple, b->multiple))
+        return false;
+    period = times(a->multiple / gcd(a->multiple, b->multiple), b->multiple);
+    for (width = a->plus % a->multiple; (width - b->plus) % b->multiple; width += a->multiple)
+        if (width > LIMIT_STITCHES)
+            return false;
+    *both = (struct fit){period, width % period, low};
+    return period <= LIMIT_STITCHES;
+}
+
+/* What is left of the row after some work: `at` stitches from its start, or
+ * (once a repeat has reached for the end) `left` stitches before its end. */
+struct progress {
+    bool from_end;
+    long long at, left;
+};
+
+/* The stitches that follow an open repeat; -1 where that is open, too. */
+static long long length_behind(const struct work *work)
+{
+    long long length = 0;
+
+    for (work = work->next; work; work = work->next) {
+        if (fixed_length(work) < 0)
+            return -1;
+        length = least(many, length + fixed_length(work));
+    }
+    return length;
+}
+
+static bool open_end(struct diag *diag, const struct work *work, long long *left)
+{
+    *left = work->until == WORK_FIT ? length_behind(work) : work->n;
+    if (*left >= 0)
+        return true;
+    diag_error(diag, CODE_ROW_REPEAT, work->span, "how far this repeat goes is open, and so is what follows");
+    diag_hint(diag, "say where it ends: `rep from * to last 2 sts`");
+    return false;
+}
+
+static void two_readings(struct diag *diag, const struct row_text *row, const struct work *work)
+{
+    long long fixed = 0;
+
+    for (const struct work *w = row->work; w; w = w->next)
+        fixed += w == work ? 0 : fixed_length(w);
+    diag_error(diag, CODE_ROW_REPEAT, work->span, "`rep from * %lld times` can be read in two ways", work->n);
+    diag_note(diag, (struct span){0}, "%lld times in all makes %lld stitches, %lld times more makes %lld", work->n,
+              fixed + times(work->length, work->n), work->n, fixed + times(work->length, work->n + 1));
+    diag_hint(diag, "write `rep from * %lld more times`, or `[..] %lld times`, or say how many are cast on", work->n,
+              work->n);
+}
+
+/* Moves over work that reaches to `left` stitches before the end. */
+static bool fit_open(struct diag *diag, const struct work *work, struct progress *progress, struct fit *fit)
+{
+    long long left;
+    struct fit here, both;
+
+    if (!open_end(diag, work, &left))
+        return false;
+    if (progress->from_end) {
+        if (progress->left < left || (progress->left - left) % work->length) {
+            diag_error(diag, CODE_ROW_FIT, work->span, "a repeat of %lld cannot fill the %lld stitches left here",
+                       work->length, progress->left - left);
+            return false;
+        }
+        progress->left = left;
+        return true;
+    }
+    here = (struct fit){work->length, (progress->at + left) % work->length, progress->at + left};
+    if (!fit_join(fit, &here, &both)) {
+        diag_error(diag, CODE_ROW_FIT, work->span, "no width fits this row");
+        return false;
+    }
+    *fit = both;
+    *progress = (struct progress){true, 0, left};
+    return true;
+}
+
+static bool fit_end(struct diag *diag, const struct row_text *row, const struct progress *progress, struct fit *fit)
+{
+    if (!progress->from_end) {
+        *fit = (struct fit){0, progress->at, progress->at};
+        return true;
+    }
+    if (progress->left == 0)
+        return true;
+    diag_error(diag, CODE_ROW_COUNT, row->span, "the repeat leaves stitches unworked: %lld more must follow it",
+               progress->left);
+    return false;
+}
+
+bool row_fit(struct diag *diag, const struct row_text *row, struct fit *fit)
+{
+    struct progress progress = {0};
+
+    *fit = (struct fit){1, 0, 0};
+    for (const struct work *work = row->work; work; work = work->next) {
+        long long length = fixed_length(work);
+
+        if (work->until == WORK_EITHER) {
+            two_readings(diag, row, work);
+            return false;
+        }
+        if (length < 0) {
+            if (!fit_open(diag, work, &progress, fit))
+                return false;
+        } else if (!progress.from_end) {
+            progress.at = least(many, progress.at + length);
+        } else if ((progress.left -= length) < 0) {
+            diag_error(diag, CODE_ROW_COUNT, work->span, "this works %lld stitches more than the repeat leaves",
+                       -progress.left);
+            return false;
+        }
+    }
+    return fit_end(diag, row, &progress, fit);
+}
+
+/* ---- messages about widths ---- */
+
+/* "a multiple of 4 + 1", "24 stitches" */
+static const char *fit_text(struct arena *arena, const struct fit *fit)
+{
+    if (!fit->multiple)
+        return arena_printf(arena, "%lld stitches", fit->plus);
+    if (fit->multiple == 1)
+        return arena_printf(arena, "%lld stitches or more", fit->least);
+    return arena_printf(arena, "a multiple of %lld + %lld", fit->multiple, fit->plus % fit->multiple);
+}
+
+static const char *who_left(struct arena *arena, enum width_from from, const struct row_text *before, long long width)
+{
+    if (before && before->label)
+        return arena_printf(arena, "row %d left %lld", before->label, width);
+    switch (from) {
+    case WIDTH_CAST_ON:
+        return arena_printf(arena, "%lld are cast on", width);
+    case WIDTH_MULTIPLE:
+        return arena_printf(arena, "the motif's multiple makes %lld", width);
+    case WIDTH_ASKED:
+        return arena_printf(arena, "a width of %lld was asked for", width);
+    default:
+        return arena_printf(arena, "there are %lld", width);
+    }
+}
+
+static void note_fit(struct diag *diag, const struct fit *fit, long long width)
+{
+    long long below, above;
+
+    if (fit->multiple > 1)
+        diag_note(diag, (struct span){0}, "this row fits %s; %lld is %lld x %lld + %lld",
+                  fit_text(diag->arena, fit), width, fit->multiple, width / fit->multiple, width % fit->multiple);
+    if (fit->multiple < 2 || width < fit->least)
+        return;
+    below = width - ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple;
+    above = below + fit->multiple;
+    if (below >= fit->least && below > 0)
+        diag_hint(diag, "the nearest widths that fit are %lld and %lld", below, above);
+    else
+        diag_hint(diag, "the nearest width that fits is %lld", above);
+}
+
+void row_does_not_fit(struct diag *diag, const struct row_text *row, const struct row_text *before,
+                      const struct fit *others)
+{
+    struct fit fit;
+
+    if (!row_fit(diag, row, &fit))
+        return;
+    if (!fit.multiple && !others->multiple && before)
+        diag_error(diag, CODE_ROW_COUNT, row->span, "row %d works %lld stitches, but row %d left %lld", row->label,
+                   fit.plus, before->label, others->plus);
+    else
+        diag_error(diag, CODE_ROW_WIDTH, row->span, "row %d fits %s, but the rows before it fit %s", row->label,
+                   fit_text(diag->arena, &fit), fit_text(diag->arena, others));
+    if (before)
+        diag_note(diag, before->span, "row %d", before->label);
+}
+
+static const char *stitches(struct arena *arena, long long n)
+{
+    return arena_printf(arena, n == 1 ? "%lld stitch" : "%lld stitches", n);
+}
+
+/* Reports that a row does not come out on the width there is. */
+static void misfit(struct diag *diag, const struct row_text *row, const struct fit *fit, long long width,
+                   const char *left)
+{
+    if (fit->multiple == 0) {
+        diag_error(diag, CODE_ROW_COUNT, row->span, "row %d works %s, but %s", row->label,
+                   stitches(diag->arena, fit->plus), left);
+        if (fit->plus > 0 && width > fit->plus && width % fit->plus == 0)
+            diag_hint(diag, "to fill the row, repeat it: `*..; rep from * to end`");
+        return;
+    }
+    if (width < fit->least)
+        diag_error(diag, CODE_ROW_COUNT, row->span, "row %d needs %s at least, but %s", row->label,
+                   stitches(diag->arena, fit->least), left);
+    else
+        diag_error(diag, CODE_ROW_FIT, row->span, "row %d does not come out even: its repeat fits %s, but %s",
+                   row->label, fit_text(diag->arena, fit), left);
+    note_fit(diag, fit, width);
+}
+
+/* ---- working it ---- */
+
+/* Writes one pass of a list of work and returns the place behind it. */
+static stitch_id *work_once(const struct work *work, stitch_id *to, const stitch_id *end);
+
+static stitch_id *work_times(const struct work *work, long long n, stitch_id *to, const stitch_id *end)
+{
+    stitch_id *first = to;
+    long long length = least(times(work->length, n), end - to);
+
+    if (!work->child) {
+        memset(to, work->stitch, (size_t)length);
+        return to + length;
+    }
+    if (n <= 0)
+        return to;
+
+    /* One pass, then copies of it. */
+    to = work_once(work->child, to, end);
+    while (to - first < length) {
+        long long more = least(to - first, length - (to - first));
+
+        memcpy(to, first, (size_t)more);
+        to += more;
+    }
+    return to;
+}
+
+static stitch_id *work_once(const struct work *work, stitch_id *to, const stitch_id *end)
+{
+    for (; work; work = work->next)
+        to = work_times(work, work->n, to, end);
+    return to;
+}
+
+/* Of the two readings the one that fits the width; -1: neither. */
+static long long reading_that_fits(const struct row_text *row, const struct work *work, long long width)
+{
+    long long fixed = 0;
+
+    for (const struct work *w = row->work; w; w = w->next)
+        if (w != work && fixed_length(w) >= 0)
+            fixed += fixed_length(w);
+    if (fixed + times(work->length, work->n) == width)
+        return work->n;
+    return fixed + times(work->length, work->n + 1) == width ? work->n + 1 : -1;
+}
+
+bool row_work(struct diag *diag, const struct row_text *row, int width, enum width_from from,
+              const struct row_text *before, stitch_id *worked)
+{
+    const char *left = who_left(diag->arena, from, before, width);
+    stitch_id *to = worked, *end = worked + width;
+    bool either = false;
+    struct fit fit;
+
+    for (const struct work *work = row->work; work; work = work->next)
+        if (work->until == WORK_EITHER) {
+            either = true;
+            if (reading_that_fits(row, work, width) < 0) {
+                two_readings(diag, row, work);
+                diag_note(diag, (struct span){0}, "neither fits: %s", left);
+                return false;
+            }
+        }
+    if (!either) {
+        if (!row_fit(diag, row, &fit))
+            return false;
+        if (!fit_has(&fit, width)) {
+            misfit(diag, row, &fit, width, left);
+            return false;
+        }
+    }
+    if (row->check >= 0 && row->check != width) {
+        diag_error(diag, CODE_ROW_ASSERT, row->check_span, "row %d ends with %s, not %lld", row->label,
+                   stitches(diag->arena, width), row->check);
+        return false;
+    }
+
+    /* It fits: every repeat now has a number of times. */
+    for (const struct work *work = row->work; work; work = work->next) {
+        long long n = work->n;
+
+        if (work->until == WORK_EITHER)
+            n = reading_that_fits(row, work, width);
+        else if (work->until == WORK_LAST)
+            n = (end - to - work->n) / work->length;
+        else if (work->until == WORK_FIT)
+            n = (end - to - length_behind(work)) / work->length;
+        to = work_times(work, n, to, end);
+    }
+    return to == end;
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The arithmetic of one row: which widths its text fits, and its stitches in
+ * working order at a width. */
+#ifndef WEFT_ROW_FIT_H
+#define WEFT_ROW_FIT_H
+
+#include "lang/rows.h"
+
+/* Sets the length of a list of work; groups must be of one definite length.
+ * False after an error. */
+bool work_measure(struct diag *, struct work *, long long *length);
+
+/* False after an error: the text contradicts itself. */
+bool row_fit(struct diag *, const struct row_text *, struct fit *);
+
+/* Widths that fit both; false where there are none. */
+bool fit_join(const struct fit *, const struct fit *, struct fit *both);
+bool fit_has(const struct fit *, long long width);
+
+/* Reports that a row's widths have nothing in common with those of the rows before. */
+void row_does_not_fit(struct diag *, const struct row_text *, const struct row_text *before, const struct fit *others);
+
+/* Writes `width` stitches in working order. False after an error. */
+bool row_work(struct diag *, const struct row_text *, int width, enum width_from, const struct row_text *before,
+              stitch_id *worked);
+
+#endif

@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Row texts in, the order they are worked in and the grid they make out. */
+#include "lang/rows.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "lang/limits.h"
+#include "lang/row_fit.h"
+
+/* The text that stands for every row of a kind. */
+struct filler {
+    enum all_kind all;
+    int first;              /* ALL_OTHER: the row it was given for */
+    struct row_text *text;
+    struct filler *next;
+};
+
+struct row_list {
+    struct arena *arena;
+    struct diag *diag;
+
+    /* Rows in working order. */
+    struct row_text **order;
+    int norder, room;
+
+    /* The numbered rows not yet worked: labels first .. first + npending - 1. */
+    struct row_text **pending;
+    int first, npending, pending_room;
+
+    /* All numbered rows, by label, for `as row 3` and repeats. */
+    struct row_text **label;
+    int label_room;
+
+    struct filler *filler;
+    int last_label;
+    enum side start;        /* the side of the first row worked; open until known */
+    bool round, flat, failed;
+    struct span span;       /* of the row added last */
+};
+
+struct row_list *rows_new(struct arena *arena, struct diag *diag)
+{
+    struct row_list *list = arena_new(arena, struct row_list);
+
+    list->arena = arena;
+    list->diag = diag;
+    list->first = 1;
+    return list;
+}
+
+bool rows_any(const struct row_list *list)
+{
+    return list->norder || list->npending || list->filler;
+}
+
+int rows_count(const struct row_list *list)
+{
+    return list->norder;
+}
+
+int rows_last_label(const struct row_list *list)
+{
+    return list->npending ? list->first + list->npending - 1 : list->last_label;
+}
+
+/* An array of row pointers with room for n. */
+static struct row_text **grown(struct row_list *list, struct row_text **array, int *room, int n)
+{
+    struct row_text **larger;
+    int wanted = *room ? *room : 16;
+
+    if (n <= *room)
+        return array;
+    while (wanted < n)
+        wanted *= 2;
+    larger = arena_array(list->arena, struct row_text *, (size_t)wanted);
+    if (*room)
+        memcpy(larger, array, (size_t)*room * sizeof *array);
+    *room = wanted;
+    return larger;
+}
+
+static void fail(struct row_list *list)
+{
+    list->failed = true;
+}
+
+/* ---- numbering ---- */
+
+const struct row_text *rows_find(const struct row_list *list, int label)
+{
+    if (label >= list->first && label < list->first + list->npending && list->pending[label - list->first])
+        return list->pending[label - list->first];
+    return label > 0 && label < list->label_room ? list->label[label] : NULL;
+}
+
+static void add_at(struct row_list *list, struct row_text *text, int label)
+{
+    int at;
+
+    /* After a repeat the count may go on with the number of rows worked so far. */
+    if (!list->npending && label == list->norder + 1 && label > list->first)
+        list->first = label;
+    at = label - list->first;
+    if (at < 0 || (at < list->npending && list->pending[at])) {
+        const struct row_text *other = rows_find(list, label);
+
+        diag_error(list->diag, CODE_ROW_NUMBER, text->head, "row %d is written twice", label);
+        if (other)
+            diag_note(list->diag, other->head, "the first time");
+        fail(list);
+        return;
+    }
+    if (at >= LIMIT_WRITTEN_ROWS) {
+        diag_error(list->diag, CODE_LIMIT_ROWS, text->head, "row %d: a pattern may have %d written rows", label,
+                   LIMIT_WRITTEN_ROWS);
+        fail(list);
+        return;
+    }
+    list->pending = grown(list, list->pending, &list->pending_room, at + 1);
+    list->pending[at] = text;
+    if (at >= list->npending)
+        list->npending = at + 1;
+    list->label = grown(list, list->label, &list->label_room, label + 1);
+    list->label[label] = text;
+    if (!text->label)
+        text->label = label;
+}
+
+void rows_add(struct row_list *list, struct row_text *text, const int *label, int n)
+{
+    if (text->round ? list->flat : list->round) {
+        diag_error(list->diag, CODE_ROW_ROUND, text->head, "rows and rounds cannot be mixed in one fabric");
+        diag_hint(list->diag, "rows are worked back and forth, rounds always from the right side");
+        fail(list);
+        return;
+    }
+    list->round |= text->round;
+    list->flat |= !text->round;
+    list->span = text->head;
+    if (!n)
+        add_at(list, text, rows_last_label(list) + 1);
+    for (int i = 0; i < n && !list->failed; i++)
+        add_at(list, text, label[i]);
+}
+
+void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, int first)
+{
+    struct filler *filler = arena_new(list->arena, struct filler), **last = &list->filler;
+
+    *filler = (struct filler){.all = all, .first = first, .text = text};
+    while (*last)
+        last = &(*last)->next;
+    *last = filler;
+    list->round |= text->round;
+    list->flat |= !text->round;
+    list->span = text->head;
+}
+
+/* ---- the order of work ---- */
+
+static enum side other_side(enum side side)
+{
+    return side == SIDE_RS ? SIDE_WS : SIDE_RS;
+}
+
+/* The side the i-th row worked (from 0) is worked on. */
+static enum side side_of(const struct row_list *list, int i)
+{
+    enum side start = list->start ? list->start : SIDE_RS;
+
+    return list->round || i % 2 == 0 ? start : other_side(start);
+}
+
+/* The first marked row decides on which side the work begins. */
+static void find_start(struct row_list *list)
+{
+    for (int i = 0; i < list->npending && !list->start; i++) {
+        const struct row_text *text = list->pending[i];
+
+        if (text && text->side)
+            list->start = i % 2 == 0 || list->round ? text->side : other_side(text->side);
+    }
+    if (list->round && list->start == SIDE_WS) {
+        diag_error(list->diag, CODE_ROW_SIDE, list->span, "a round is always worked from the right side");
+        fail(list);
+    }
+}
+
+static struct row_text *filler_for(const struct row_list *list, int label, enum side side)
+{
+    for (const struct filler *f = list->filler; f; f = f->next)
+        if ((f->all == ALL_RS && side == SIDE_RS) || (f->all == ALL_WS && side == SIDE_WS) ||
+            (f->all == ALL_EVEN && label % 2 == 0) || (f->all == ALL_ODD && label % 2 == 1) ||
+            (f->all == ALL_OTHER && label >= f->first && (label - f->first) % 2 == 0))
+            return f->text;
+    return NULL;
+}
+
+/* Appends a row to the order of work; false past the limit. */
+static bool append(struct row_list *list, struct row_text *text)
+{
+    if (list->norder >= LIMIT_ROWS) {
+        diag_error(list->diag, CODE_LIMIT_ROWS, list->span, "this makes more than %d rows", LIMIT_ROWS);
+        fail(list);
+        return false;
+    }
+    list->order = grown(list, list->order, &list->room, list->norder + 1);
+    list->order[list->norder++] = text;
+    return true;
+}
+
+static void check_side(struct row_list *list, const struct row_text *text, int i)
+{
+    enum side side = side_of(list, i);
+
+    if (!text->side || text->side == side)
+        return;
+    diag_error(list->diag, CODE_ROW_SIDE, text->head, "row %d is marked %s, but it is worked on the %s", text->label,
+               text->side == SIDE_RS ? "RS" : "WS", side == SIDE_RS ? "right side" : "wrong side");
+    diag_hint(list->diag, i + 1 == text->label ? "RS and WS rows take turns"
+                                                : "repeating an odd number of rows turns the sides around");
+    fail(list);
+}
+
+/* Works the pending rows once, gaps filled by `all .. rows`. */
+static void flush(struct row_list *list)
+{
+    int n = list->npending;
+
+    /* A pattern of RS rows with one text for all WS rows ends with a WS row. */
+    if (!n && !list->filler)
+        return;
+    find_start(list);
+    if ((list->norder + n) % 2 && filler_for(list, list->first + n, side_of(list, list->norder + n)))
+        n++;
+    for (int i = 0; i < n && !list->failed; i++) {
+        int label = list->first + i;
+        struct row_text *text = i < list->npending ? list->pending[i] : NULL;
+
+        if (!text)
+            text = filler_for(list, label, side_of(list, list->norder));
+        if (!text) {
+            diag_error(list->diag, CODE_ROW_NUMBER, list->span, "row %d is missing", label);
+            diag_hint(list->diag, "rows are numbered 1, 2, 3 ..; `all WS rows: purl` can stand for every second one");
+            fail(list);
+            return;
+        }
+        list->label = grown(list, list->label, &list->label_room, label + 1);
+        list->label[label] = text;
+        if (!text->label)
+            text->label = label;
+        check_side(list, text, list->norder);
+        if (!append(list, text))
+            return;
+        list->last_label = label;
+    }
+    memset(list->pending, 0, (size_t)list->npending * sizeof *list->pending);
+    list->first = list->last_label + 1;
+    list->npending = 0;
+}
+
+void rows_again(struct row_list *list, struct span span, const int *label, int n, long long times, long long total)
+{
+    flush(list);
+    list->span = span;
+    if (list->failed)
+        return;
+    for (int i = 0; i < n; i++)
+        if (label[i] < 1 || label[i] >= list->label_room || !list->label[label[i]]) {
+            diag_error(list->diag, CODE_ROW_REFERENCE, span, "there is no row %d to repeat", label[i]);
+            fail(list);
+            return;
+        }
+    if (n && (times > LIMIT_ROWS / n || total > LIMIT_ROWS)) {
+        diag_error(list->diag, CODE_LIMIT_ROWS, span, "this makes more than %d rows", LIMIT_ROWS);
+        fail(list);
+        return;
+    }
+    for (long long pass = 0; n && (times ? pass < times : list->norder < total); pass++)
+        for (int i = 0; i < n && (times || list->norder < total); i++) {
+            check_side(list, list->label[label[i]], list->norder);
+            if (list->failed || !append(list, list->label[label[i]]))
+                return;
+        }
+}
+
+bool rows_finish(struct row_list *list)
+{
+    flush(list);
+    return !list->failed;
+}
+
+/* ---- widths ---- */
+
+bool rows_fit(const struct row_list *list, struct fit *fit)
+{
+    const struct row_text *before = NULL;
+
+    *fit = (struct fit){1, 0, 0};
+    for (int i = 0; i < list->norder; i++)
+        list->order[i]->seen = false;
+    for (int i = 0; i < list->norder; i++) {
+        struct row_text *text = list->order[i];
+        struct fit row, both;
+
+        /* Each text once, however often it is worked. */
+        if (text->as_below || text->seen)
+            continue;
+        text->seen = true;
+        if (!row_fit(list->diag, text, &row))
+            return false;
+        if (!fit_join(fit, &row, &both)) {
+            row_does_not_fit(list->diag, text, before, fit);
+            return false;
+        }
+        *fit = both;
+        before = text;
+    }
+    return true;
+}
+
+/* ---- drawing ---- */
+
+/* What the right side shows of a row in working order. */
+static void draw_row(stitch_id *cell, const stitch_id *worked, int width, enum side side, const stitch_id *ws)
+{
+    if (side == SIDE_RS)
+        for (int x = 0; x < width; x++)
+            cell[x] = worked[width - 1 - x];
+    else
+        for (int x = 0; x < width; x++)
+            cell[x] = ws[worked[x]];
+}
+
+const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from, const stitch_id *ws)
+{
+    stitch_id *cell, *worked = arena_array(list->arena, stitch_id, (size_t)width);
+    int rows = height ? height : list->norder;
+    struct grid *g = grid_new(list->arena, width, rows, &cell);
+    const struct row_text *before = NULL;
+    bool good = true;
+
+    for (int i = 0; i < list->norder; i++)
+        memset(list->order[i]->drawn, 0, sizeof list->order[i]->drawn);
+    for (int i = 0; i < rows; i++) {
+        struct row_text *text = list->order[i % list->norder];
+        enum side side = side_of(list, i);
+        stitch_id *to = cell + (size_t)i * (size_t)width;
+
+        /* A text that was drawn on this side before is the same again. */
+        if (i >= list->norder)
+            check_side(list, text, i);
+        if (list->failed)
+            return NULL;
+        if (text->as_below && i == 0) {
+            diag_error(list->diag, CODE_ROW_REFERENCE, text->span, "there is no row below the first");
+            return NULL;
+        }
+        if (text->as_below) {
+            memcpy(to, to - width, (size_t)width);
+        } else if (text->drawn[side]) {
+            memcpy(to, cell + (size_t)(text->drawn[side] - 1) * (size_t)width, (size_t)width);
+        } else {
+            good &= row_work(list->diag, text, width, from, before, worked);
+            draw_row(to, worked, width, side, ws);
+            text->drawn[side] = i + 1;
+        }
+        before = text;
+    }
+    return good ? g : NULL;
+}

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Written rows whose numbers are known: what widths they fit, and the grid
+ * they make.  A row is written in working order; the grid is the right side's
+ * view.  An RS row is worked from its right edge, so it is drawn reversed; a WS
+ * row is worked from the left edge, and every stitch shows its other face. */
+#ifndef WEFT_ROWS_H
+#define WEFT_ROWS_H
+
+#include <stdbool.h>
+
+#include "lang/ast.h"
+#include "lang/grid.h"
+
+/* How often something is worked. */
+enum work_until {
+    WORK_TIMES,         /* n times in all */
+    WORK_EITHER,        /* n times, or n + 1: the text can be read both ways */
+    WORK_LAST,          /* until n stitches are left */
+    WORK_FIT            /* as often as leaves room for what follows */
+};
+
+/* `length` stitches of a kind, or a group, worked again and again. */
+struct work {
+    struct span     span;
+    stitch_id       stitch;
+    struct work    *child;      /* a group: its parts; NULL: a stitch */
+    long long       length;     /* stitches of one pass */
+    enum work_until until;
+    long long       n;
+    struct work    *next;
+};
+
+/* One row's text. */
+struct row_text {
+    int          label;         /* its number in the pattern; 0: none yet */
+    enum side    side;          /* as marked */
+    bool         round;
+    bool         as_below;      /* knits over knits, purls over purls */
+    struct work *work;
+    long long    check;         /* (n sts), -1: none */
+    struct span  span, head, check_span;
+    bool         seen;
+    int          drawn[3];      /* 1 + the grid row that shows it, by side; 0: none */
+};
+
+/* Widths multiple * n + plus, n >= 0 (and >= least); multiple 0: plus alone. */
+struct fit {
+    long long multiple, plus, least;
+};
+
+struct row_list;
+
+/* Where a width comes from, for messages. */
+enum width_from { WIDTH_CAST_ON, WIDTH_MULTIPLE, WIDTH_ASKED, WIDTH_ROWS };
+
+struct row_list *rows_new(struct arena *, struct diag *);
+bool rows_any(const struct row_list *);
+
+/* Adds a text at the row numbers given (n of them; none: the next row). */
+void rows_add(struct row_list *, struct row_text *, const int *label, int n);
+
+/* `all WS rows`: the text of every row of a kind that has none of its own. */
+void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first);
+
+/* The text of a row already given, or NULL. */
+const struct row_text *rows_find(const struct row_list *, int label);
+
+/* Works rows again: the labels given, `times` more, or until there are `total`. */
+void rows_again(struct row_list *, struct span, const int *label, int n, long long times, long long total);
+
+/* Closes the list: fills the gaps, decides the sides. False after an error. */
+bool rows_finish(struct row_list *);
+
+int rows_count(const struct row_list *);
+int rows_last_label(const struct row_list *);
+
+/* The widths all rows fit; reports rows that contradict each other. */
+bool rows_fit(const struct row_list *, struct fit *);
+
+/* The grid of a width; height 0: each row once. The first stitch counts come
+ * from `from`. NULL after an error. */
+const struct grid *rows_grid(struct row_list *, int width, int height, enum width_from from, const stitch_id *ws);
+
+#endif

@@ -1,0 +1,350 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The scanner's ordinary C: token texts in, values out; brackets and line ends. */
+#include "lang/scanner.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+void scanner_advance(struct scanner *scanner, struct span *span, size_t length)
+{
+    *span = (struct span){scanner->parse->source, scanner->at, scanner->at + (unsigned)length};
+    scanner->at = span->end;
+}
+
+void scanner_retreat(struct scanner *scanner, struct span *span, size_t length)
+{
+    span->end -= (unsigned)length;
+    scanner->at = span->end;
+}
+
+int scanner_token(struct scanner *scanner, int kind)
+{
+    scanner->comma = false;
+    scanner->previous = kind;
+    if (kind == TOKEN_NEWLINE)
+        scanner->star = scanner->complained = false;
+    return kind;
+}
+
+/* ---- values ---- */
+
+int scanner_text(struct scanner *scanner, KNIT_STYPE *value, int kind, struct span span, const char *text,
+                 size_t length)
+{
+    struct parse *parse = scanner->parse;
+
+    if (kind == TOKEN_NAME && length > LIMIT_NAME) {
+        span.end = span.start + LIMIT_NAME;
+        diag_error(parse->diag, CODE_LIMIT_NAMES, span, "this name is %zu bytes long; a name may have %d", length,
+                   LIMIT_NAME);
+        return TOKEN_KNIT_error;
+    }
+    value->text = names_intern(parse->names, text, length);
+    return scanner_token(scanner, kind);
+}
+
+int scanner_string(struct scanner *scanner, KNIT_STYPE *value, const char *text, size_t length)
+{
+    value->text = names_intern(scanner->parse->names, text + 1, length - 2);
+    return scanner_token(scanner, TOKEN_STRING);
+}
+
+void scanner_lower(struct scanner *scanner, KNIT_STYPE *value, const char *text, size_t length)
+{
+    char lower[LIMIT_NAME];
+
+    for (size_t i = 0; i < length; i++)
+        lower[i] = (char)tolower((unsigned char)text[i]);
+    value->text = names_intern(scanner->parse->names, lower, length);
+}
+
+/* What a unit does to the number before it; lengths are kept in millimetres. */
+static const struct unit {
+    const char *name;
+    double factor;
+    int dimension;
+} units[] = {{"%", 0.01, 0}, {"mm", 1, 1}, {"cm", 10, 1}, {"m", 1000, 1}, {"in", 25.4, 1}};
+
+int scanner_number(struct scanner *scanner, struct span span, KNIT_STYPE *value, const char *text, size_t length)
+{
+    char digits[64], *end;
+    struct diag *diag = scanner->parse->diag;
+
+    if (length >= sizeof digits) {
+        diag_error(diag, CODE_NUMBER, span, "a number of %zu characters is too long", length);
+        return TOKEN_KNIT_error;
+    }
+    memcpy(digits, text, length);
+    digits[length] = '\0';
+    value->number.value = strtod(digits, &end);
+    value->number.dimension = 0;
+    end += strspn(end, " \t\f\v\xC2\xA0");
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strcasecmp(end, units[i].name) == 0) {
+            value->number.value *= units[i].factor;
+            value->number.dimension = units[i].dimension;
+        }
+    if (!isfinite(value->number.value)) {
+        diag_error(diag, CODE_NUMBER, span, "this number is too large to be represented");
+        return TOKEN_KNIT_error;
+    }
+    return scanner_token(scanner, TOKEN_NUMBER);
+}
+
+int scanner_bad_unit(struct scanner *scanner, struct span span, const char *text)
+{
+    int digits = (int)strspn(text, "0123456789.");
+
+    span.start += (unsigned)digits;
+    diag_error(scanner->parse->diag, CODE_NUMBER, span, "'%s' is no unit", text + digits);
+    diag_hint(scanner->parse->diag, "units are %%, mm, cm, m and in; a product is written with '*'");
+    return TOKEN_KNIT_error;
+}
+
+void scanner_number_word(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        int number;
+    } words[] = {{"once", 1},  {"one", 1}, {"twice", 2}, {"two", 2},   {"thrice", 3}, {"three", 3},   {"four", 4},   {"five", 5},
+                 {"six", 6},   {"seven", 7}, {"eight", 8}, {"nine", 9}, {"ten", 10},   {"eleven", 11}, {"twelve", 12}};
+
+    value->number.value = 1;
+    value->number.dimension = 0;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcasecmp(text, words[i].word) == 0)
+            value->number.value = words[i].number;
+}
+
+/* SIDE_RS stands for "in the round": `rnd`, `rounds`; not `row`. */
+void scanner_round(KNIT_STYPE *value, const char *text)
+{
+    const char *word = strrchr(text, ' ');
+    size_t length;
+
+    word = word ? word + 1 : text;
+    length = strlen(word);
+    value->side = length > 2 && tolower((unsigned char)word[2]) != 'w' ? SIDE_RS : SIDE_OPEN;
+}
+
+void scanner_side(KNIT_STYPE *value, const char *text)
+{
+    text += strspn(text, "([ \t\f\v");
+    value->side = tolower((unsigned char)*text) == 'r' ? SIDE_RS : SIDE_WS;
+}
+
+/* "all RS rows", "every following wrong-side row", "all even rows". */
+void scanner_all(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        enum all_kind all;
+    } words[] = {{"rs", ALL_RS}, {"right", ALL_RS}, {"ws", ALL_WS}, {"wrong", ALL_WS}, {"even", ALL_EVEN}, {"odd", ALL_ODD}};
+
+    value->all = ALL_NONE;
+    for (; *text && !value->all; text += strspn(text, " \t\f\v-")) {
+        size_t length = strcspn(text, " \t\f\v-");
+
+        for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+            if (length == strlen(words[i].word) && strncasecmp(text, words[i].word, length) == 0)
+                value->all = words[i].all;
+        text += length;
+    }
+}
+
+/* ---- what cannot be read ---- */
+
+int scanner_open_string(struct scanner *scanner, struct span span)
+{
+    diag_error(scanner->parse->diag, CODE_STRING, span, "this text has no closing quote on its line");
+    return TOKEN_KNIT_error;
+}
+
+/* One complaint per line: what follows a strange character is often strange too. */
+int scanner_character(struct scanner *scanner, struct span span)
+{
+    struct diag *diag = scanner->parse->diag;
+    const struct source *source = span.source;
+    unsigned char c = (unsigned char)source->text[span.start];
+
+    if (c >= 0xC0)
+        while (span.end < source->size && ((unsigned char)source->text[span.end] & 0xC0) == 0x80)
+            span.end++;
+    if (scanner->complained)
+        return TOKEN_KNIT_error;
+    scanner->complained = true;
+    if (c < 0x20 || c == 0x7F || (c >= 0x80 && span.end == span.start + 1))
+        diag_error(diag, CODE_CHARACTER, span, "the byte 0x%02X is no character of a script", c);
+    else
+        diag_error(diag, CODE_CHARACTER, span, "the character '%.*s' has no meaning here", (int)(span.end - span.start),
+                   source->text + span.start);
+    return TOKEN_KNIT_error;
+}
+
+/* ---- brackets ---- */
+
+static bool is_in_line(enum bracket kind)
+{
+    return kind == BRACKET_ROUND || kind == BRACKET_SQUARE || kind == BRACKET_HOLE;
+}
+
+/* What a brace opens follows from the statement it stands in. */
+static enum bracket brace_of(const struct scanner *scanner, bool in_expression)
+{
+    bool number = scanner->previous == TOKEN_MULTIPLE_OF || (!in_expression && scanner->previous == '+');
+
+    switch (scanner->statement) {
+    case TOKEN_MOTIF:
+        return number ? BRACKET_HOLE : BRACKET_STATEMENTS;
+    case TOKEN_FOR:
+    case TOKEN_IF:
+    case TOKEN_ELSE:
+        return BRACKET_STATEMENTS;
+    case TOKEN_CHART:
+        return BRACKET_CHART;
+    case TOKEN_ROW:
+    case TOKEN_ALL:
+    case TOKEN_CAST_ON:
+    case TOKEN_MULTIPLE_OF:
+    case TOKEN_REPEAT_ROWS:
+    case TOKEN_REPEAT_LAST:
+        return BRACKET_HOLE;
+    default:
+        return BRACKET_SETTINGS;
+    }
+}
+
+enum bracket scanner_open(struct scanner *scanner, struct span span, char c, int state, bool in_expression)
+{
+    enum bracket kind = c == '(' ? BRACKET_ROUND : c == '[' ? BRACKET_SQUARE : brace_of(scanner, in_expression);
+
+    if (scanner->nopen == LIMIT_NESTING) {
+        if (!scanner->quiet)
+            diag_error(scanner->parse->diag, CODE_LIMIT_NESTING, span, "brackets are nested more than %d deep", LIMIT_NESTING);
+        scanner->quiet = true;
+        return BRACKET_TOO_DEEP;
+    }
+    scanner->open[scanner->nopen++] = (struct open){kind, state, span};
+    return kind;
+}
+
+int scanner_close(struct scanner *scanner, char c)
+{
+    /* A brace also closes what is still open inside it. */
+    if (c == '}')
+        while (scanner->nopen && scanner->open[scanner->nopen - 1].kind <= BRACKET_SQUARE)
+            scanner->nopen--;
+    if (!scanner->nopen || (c != '}' && scanner->open[scanner->nopen - 1].kind > BRACKET_SQUARE))
+        return -1;
+    scanner->nopen--;
+    return is_in_line(scanner->open[scanner->nopen].kind) ? scanner->open[scanner->nopen].state : 0;
+}
+
+int scanner_end(struct scanner *scanner)
+{
+    if (scanner->nopen && !scanner->quiet) {
+        struct span span = scanner->open[scanner->nopen - 1].span;
+
+        diag_error(scanner->parse->diag, CODE_UNCLOSED, span, "this '%c' is never closed",
+                   span.source->text[span.start]);
+        scanner->quiet = true;
+    }
+    return scanner_token(scanner, TOKEN_END);
+}
+
+/* ---- line ends ---- */
+
+static size_t word_length(const char *text)
+{
+    size_t n = 0;
+
+    while (isalpha((unsigned char)text[n]) || text[n] == '_')
+        n++;
+    return n;
+}
+
+static bool is_word(const char *text, size_t length, const char *word)
+{
+    return strlen(word) == length && strncasecmp(text, word, length) == 0;
+}
+
+/* Whether a statement begins here: one of its words and behind it what may follow one. */
+static bool statement_follows(const char *text)
+{
+    static const char *const rows[] = {"row", "rows", "rnd", "rnds", "round", "rounds", "the", "these", "last"};
+    size_t length = word_length(text);
+    const char *behind = text + length + strspn(text + length, " \t");
+    size_t next = word_length(behind);
+
+    if (!length)
+        return false;
+    if (is_word(text, length, "rep") || is_word(text, length, "repeat")) {
+        for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+            if (is_word(behind, next, rows[i]))
+                return true;
+        return false;
+    }
+    for (int i = 0; i < nstatement_words; i++)
+        if (is_word(text, length, statement_word[i]))
+            return isalnum((unsigned char)*behind) || strchr("\"{:(", *behind);
+    return false;
+}
+
+/* A token after which an expression must go on. */
+static bool goes_on(int token)
+{
+    static const int open_ended[] = {
+        '=', ',', ':', '?', '+', '-', '*', '/', '<', '>', '!', TOKEN_IN, TOKEN_BY, TOKEN_MOD, TOKEN_DOTS,
+        TOKEN_LESS_EQUAL, TOKEN_GREATER_EQUAL, TOKEN_EQUAL, TOKEN_UNEQUAL, TOKEN_AND_AND, TOKEN_OR_OR,
+    };
+
+    for (size_t i = 0; i < sizeof open_ended / sizeof *open_ended; i++)
+        if (token == open_ended[i])
+            return true;
+    return false;
+}
+
+/* In a row: after a comma, an open star or a colon, and before `rep from`. */
+static bool row_goes_on(const struct scanner *scanner, const char *text)
+{
+    size_t length = word_length(text);
+
+    return scanner->comma || scanner->star || scanner->previous == ':' || scanner->previous == TOKEN_TO_LAST ||
+           scanner->previous == TOKEN_UNTIL || is_word(text, length, "rep") || is_word(text, length, "repeat");
+}
+
+bool scanner_ends_line(struct scanner *scanner, bool in_row)
+{
+    const char *next = scanner->parse->source->text + scanner->at;
+    bool open = scanner->nopen && is_in_line(scanner->open[scanner->nopen - 1].kind);
+
+    if (statement_follows(next) || !*next)
+        return true;
+    if (open)
+        return false;
+    if (in_row)
+        return *next == '}' || !row_goes_on(scanner, next);
+    if (scanner->previous == '}' && is_word(next, word_length(next), "else"))
+        return false;
+    if (*next == '{')
+        return false;
+    return !goes_on(scanner->previous) && !(*next && strchr("?:*/+-&|<>=", *next));
+}
+
+bool scanner_end_line(struct scanner *scanner)
+{
+    while (scanner->nopen && is_in_line(scanner->open[scanner->nopen - 1].kind))
+        scanner->nopen--;
+    return scanner->nopen && scanner->open[scanner->nopen - 1].kind == BRACKET_SETTINGS;
+}
+
+bool scanner_number_follows(const struct scanner *scanner)
+{
+    const char *text = scanner->parse->source->text + scanner->at;
+
+    text += strspn(text, " \t");
+    return isdigit((unsigned char)*text) || *text == '{';
+}

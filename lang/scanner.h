@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * What the scanner remembers between characters, and the parts of its work
+ * that are ordinary C. */
+#ifndef WEFT_SCANNER_H
+#define WEFT_SCANNER_H
+
+#include "lang/limits.h"
+#include "lang/parse.h"
+#include "lang/parser.h"
+
+enum bracket {
+    BRACKET_ROUND,
+    BRACKET_SQUARE,
+    BRACKET_STATEMENTS,     /* { of a motif, a loop, an if */
+    BRACKET_SETTINGS,       /* { of a block of keys */
+    BRACKET_HOLE,           /* { of a number in a row */
+    BRACKET_CHART,
+    BRACKET_TOO_DEEP
+};
+
+struct open {
+    enum bracket kind;
+    int          state;     /* the register it was opened in */
+    struct span  span;
+};
+
+struct scanner {
+    struct parse *parse;
+    unsigned      at;               /* bytes read */
+    int           start;            /* the token that comes before all others */
+    int           statement;        /* the token that began this statement */
+    int           previous;         /* the token before this one */
+    bool          comma;            /* a row's text ended with one */
+    bool          star;             /* a row's star is open */
+    bool          complained;       /* about a character of this line */
+    bool          quiet;            /* an unclosed bracket was reported: no more about it */
+    int           nopen;
+    struct open   open[LIMIT_NESTING];
+};
+
+/* Runs flex and bison over the text from byte `at` on (lexer.l). */
+struct stmt *scanner_parse(struct scanner *);
+
+void scanner_advance(struct scanner *, struct span *, size_t length);
+void scanner_retreat(struct scanner *, struct span *, size_t length);
+
+/* Each returns the token. */
+int scanner_token(struct scanner *, int kind);
+int scanner_text(struct scanner *, KNIT_STYPE *, int kind, struct span, const char *text, size_t length);
+int scanner_string(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
+int scanner_number(struct scanner *, struct span, KNIT_STYPE *, const char *text, size_t length);
+int scanner_bad_unit(struct scanner *, struct span, const char *text);
+int scanner_open_string(struct scanner *, struct span);
+int scanner_character(struct scanner *, struct span);
+int scanner_end(struct scanner *);
+
+/* Each sets the value only. */
+void scanner_lower(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
+void scanner_number_word(KNIT_STYPE *, const char *text);
+void scanner_round(KNIT_STYPE *, const char *text);
+void scanner_side(KNIT_STYPE *, const char *text);
+void scanner_all(KNIT_STYPE *, const char *text);
+
+/* Brackets: what kind was opened; the register to go back to, 0 behind a block,
+ * -1 where nothing was open. */
+enum bracket scanner_open(struct scanner *, struct span, char, int state, bool in_expression);
+int scanner_close(struct scanner *, char);
+
+/* Whether a line end here ends the statement. */
+bool scanner_ends_line(struct scanner *, bool in_row);
+
+/* Ends it: forgets open brackets within the line; true inside a block of keys. */
+bool scanner_end_line(struct scanner *);
+
+bool scanner_number_follows(const struct scanner *);
+
+#endif

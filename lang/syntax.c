@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Syntax errors: an unexpected token in, a sentence a knitter understands out. */
+#include "lang/syntax.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "lang/limits.h"
+#include "lang/scanner.h"
+
+const char *const statement_word[] = {
+    "knit",   "use",   "let",    "param", "stitch", "motif", "swatch",  "gauge",  "material", "springs", "mesh",  "solve",
+    "output", "sweep", "for",    "if",    "chart",  "cast",  "co",      "row",    "rows",     "round",   "rounds", "rnd",
+    "rnds",   "all",   "repeat", "rep",   "every",  "next",  "multiple",
+};
+const int nstatement_words = sizeof statement_word / sizeof *statement_word;
+
+void syntax_too_deep(struct parse *parse, struct span at)
+{
+    diag_error(parse->diag, CODE_LIMIT_NESTING, at, "this is nested too deep");
+    diag_hint(parse->diag, "give parts of it names with 'let' or 'motif'");
+}
+
+/* Whether nothing but blanks stands before the span on its line, or since a ';' or '{'. */
+static bool begins_statement(struct span span)
+{
+    const char *text = span.source->text;
+    size_t at = span.start;
+
+    while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t'))
+        at--;
+    return at == 0 || strchr("\n\r;{}", text[at - 1]) || (unsigned char)text[at - 1] == 0xBF;
+}
+
+/* Row text without its `Row 1:`: stitches with numbers, or a star. */
+static bool looks_like_row(const char *text)
+{
+    char c = (char)tolower((unsigned char)text[0]);
+
+    if (c == '*' || c == '(' || c == '[')
+        return true;
+    return (c == 'k' || c == 'p') && (isdigit((unsigned char)text[1]) || strchr(", \r\n", text[1]));
+}
+
+/* A line that begins with no statement's word. */
+static void no_statement(struct parse *parse, struct span span)
+{
+    const char *text = span.source->text + span.start;
+    size_t length = strcspn(text, " \t\r\n,;:(){}[]*=\"#"), behind;
+    char *word;
+
+    if (length == 0)
+        length = *text != '\0';
+    if (length > LIMIT_NAME)
+        length = LIMIT_NAME;
+    span.end = span.start + (unsigned)length;
+    word = arena_copy(parse->arena, text, length);
+    behind = length + strspn(text + length, " \t");
+    diag_error(parse->diag, CODE_STATEMENT, span, "no statement begins with '%s'", word);
+    if (looks_like_row(text))
+        diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`");
+    else if (text[behind] == '=' && text[behind + 1] != '=')
+        diag_hint(parse->diag, "to give a name to a value: `let %s = ...`", word);
+    else
+        diag_did_you_mean(parse->diag, nearest_in(word, statement_word, nstatement_words));
+}
+
+/* What was found, as the script has it. */
+static const char *found_text(struct parse *parse, struct span span, const char *found)
+{
+    size_t length = span.end - span.start;
+
+    if (!found || strncmp(found, "the end", 7) == 0 || length == 0)
+        return found ? found : "nothing";
+    if (length > 30 || memchr(span.source->text + span.start, '\n', length))
+        return found;
+    return arena_printf(parse->arena, "'%.*s'", (int)length, span.source->text + span.start);
+}
+
+void syntax_error(struct parse *parse, struct span span, const char *found, const char *const *expected, int n)
+{
+    char *list = arena_copy(parse->arena, "", 0);
+    bool at_end = found && strncmp(found, "the end", 7) == 0;
+
+    if (parse->scanner->quiet)
+        return;
+    if (!at_end && begins_statement(span) && n == 0) {
+        no_statement(parse, span);
+        return;
+    }
+    if (at_end && span.end > span.start + 1)
+        span.end = span.start + 1;
+    for (int i = 0; i < n; i++)
+        list = arena_printf(parse->arena, "%s%s%s", list, i == 0 ? "" : i == n - 1 ? " or " : ", ", expected[i]);
+    if (n)
+        diag_error(parse->diag, CODE_SYNTAX, span, "expected %s, found %s", list, found_text(parse, span, found));
+    else
+        diag_error(parse->diag, CODE_SYNTAX, span, "did not expect %s here", found_text(parse, span, found));
+}
+
+/* ---- rows ---- */
+
+struct row syntax_head(struct parse *parse, enum side round, enum side side, struct row_numbers *numbers)
+{
+    struct row row = {.round = round == SIDE_RS, .side = side, .numbers = numbers};
+
+    /* A side behind one of the numbers is the side of all, unless two disagree. */
+    for (struct row_numbers *part = numbers; part; part = part->next) {
+        row.round |= part->round;
+        if (row.side && part->side && part->side != row.side) {
+            diag_error(parse->diag, CODE_ROW_SIDE, part->span, "one text cannot stand for both RS and WS rows");
+            diag_hint(parse->diag, "write the two as separate rows");
+        }
+        row.side = part->side ? part->side : row.side;
+    }
+    return row;
+}
+
+struct row syntax_row(struct row head, struct span head_span, struct row body, struct span body_span)
+{
+    body.round = head.round;
+    body.side = head.side;
+    body.numbers = head.numbers;
+    body.head = head_span;
+    body.body_span = body_span;
+    return body;
+}
+
+struct again syntax_again(struct row_numbers *numbers, struct expr *last, struct again again)
+{
+    again.numbers = numbers;
+    again.last = last;
+    return again;
+}
