@@ -58,6 +58,9 @@ struct discretisation_ops {
     /* Fills all arrays of a surface with the sheet's stitches, any per_stitch. */
     void (*sample)(const struct discretisation *d, const double *x, double growth, struct surface *surface);
 
+    /* Why a state must not be called converged, NULL where nothing speaks against it.  NULL: there is no such test. */
+    const char *(*doubt)(const struct discretisation *d, const double *x);
+
     void (*free)(struct discretisation *d);
 };
 

@@ -12,9 +12,9 @@
 
 #include "solver/descent.h"
 #include "solver/estimate.h"
+#include "solver/levels.h"
 #include "solver/memory.h"
 #include "solver/noise.h"
-#include "solver/patch.h"
 #include "solver/shape.h"
 #include "solver/sheet.h"
 
@@ -36,35 +36,10 @@ struct fold {
     struct effort               effort;
     int                         threads;
     int                         pushes;     /* saddles left on all levels */
+    double                      coarser_energy; /* of the level before, < 0: none */
 };
 
 /* ---- levels ---- */
-
-enum { GAUSS_COARSE = 3, GAUSS = 4, MOST_UNKNOWNS = 1000000 };
-
-/* The level a fold grows on: for patches the spline on the stitches' lines,
- * for the paper's own way (plain libLBFGS) the final one. */
-static struct discretisation *first_level(const struct fold *fold)
-{
-    const struct sheet *sheet = fold->sheet;
-    int per_stitch = sheet->mesh.per_stitch ? sheet->mesh.per_stitch : 1;
-    if (sheet->solve.method == METHOD_LBFGS)
-        return patch_make(sheet, &basis_hermite, per_stitch, GAUSS, fold->threads);
-    return patch_make(sheet, &basis_spline, 1, GAUSS_COARSE, fold->threads);
-}
-
-static bool is_spline(const struct discretisation *d)
-{
-    return strcmp(d->op->kind, "spline") == 0;
-}
-
-/* The level after this one: twice as fine, or as fine as asked for where that is no multiple. */
-static struct discretisation *next_level(const struct fold *fold, const struct discretisation *d)
-{
-    int wanted = fold->sheet->mesh.per_stitch, twice = 2 * d->per_stitch;
-    int per_stitch = is_spline(d) ? 1 : wanted > twice && wanted % twice ? wanted : twice;
-    return patch_make(fold->sheet, &basis_hermite, per_stitch, GAUSS, fold->threads);
-}
 
 static bool progress(void *self, double growth, int iterations, double energy)
 {
@@ -87,7 +62,7 @@ static void start_level(struct fold *fold)
 {
     const struct sheet *sheet = fold->sheet;
     struct fold_state *state = fold->state;
-    state->d = first_level(fold);
+    state->d = levels_first(sheet, fold->threads);
     state->x = MEMORY_ARRAY(double, state->d->n);
     state->d->op->flat(state->d, state->x);
     open_level(fold, 0);
@@ -160,8 +135,16 @@ static const char *method_name(enum method method)
     return name[method];
 }
 
-static enum fold_status status_of(struct descent end)
+static const char *doubt_of(const struct fold *fold)
 {
+    const struct discretisation *d = fold->state->d;
+    return d->op->doubt ? d->op->doubt(d, fold->state->x) : NULL;
+}
+
+static enum fold_status status_of(const struct fold *fold, struct descent end)
+{
+    if (doubt_of(fold))
+        return FOLD_FAILED;
     switch (end.outcome) {
     case OUTCOME_CONVERGED: return end.minimum ? FOLD_CONVERGED : FOLD_SADDLE;
     case OUTCOME_PRECISION: return end.minimum ? FOLD_PRECISION : FOLD_SADDLE;
@@ -172,6 +155,8 @@ static enum fold_status status_of(struct descent end)
 
 static const char *remark_of(const struct fold *fold, struct descent end)
 {
+    if (doubt_of(fold))
+        return doubt_of(fold);
     switch (end.outcome) {
     case OUTCOME_STOPPED: return "stopped on request";
     case OUTCOME_STALLED: return "no descent direction was found at a gradient above the tolerance";
@@ -195,7 +180,7 @@ static void finish_record(struct fold *fold, struct descent end)
     record->elements = d->elements;
     record->energy = scaled(fold->problem.energy, young);
     record->energy_flat = flat_energy(fold) * young;
-    record->status = status_of(end);
+    record->status = status_of(fold, end);
     record->remark = remark_of(fold, end);
     record->method = method_name(fold->sheet->solve.method);
     record->growth_steps = fold->sheet->solve.steps;
@@ -254,7 +239,7 @@ static double energy_scale(const struct fold *fold)
 
 /* Estimates the error of a minimum with the help of the next level; x (its n)
  * becomes a start there. */
-static void estimate(struct fold *fold, const struct discretisation *finer, double *x)
+static void estimate_ahead(struct fold *fold, const struct discretisation *finer, double *x)
 {
     const struct sheet *sheet = fold->sheet;
     struct estimate error = estimate_error(&fold->problem, fold->state->x, finer, x);
@@ -263,44 +248,64 @@ static void estimate(struct fold *fold, const struct discretisation *finer, doub
     fold->record->shape_error = error.shape / size;
 }
 
+/* Where levels are not nested: from the change since the last one, of half the
+ * cells.  The triangles' order is 1.8 where curvature jumps (measured), so what
+ * is left is 1/(2^1.8 - 1) of the change; half as much again for safety. */
+static void estimate_behind(struct fold *fold)
+{
+    static const double LEFT = 1.5 / 2.48;
+    double change = fabs(fold->problem.energy.total - fold->coarser_energy), scale = energy_scale(fold);
+    if (fold->coarser_energy >= 0)
+        fold->record->energy_error = scale > 0 ? LEFT * change / scale : 0;
+}
+
 /* Is this level the last: as fine as asked for, or accurate enough, or all that fits? */
 static bool fine_enough(const struct fold *fold)
 {
     const struct discretisation *d = fold->state->d;
     const struct sheet *sheet = fold->sheet;
-    if (is_spline(d))
-        return false;
+    double error = fold->record->energy_error;
     if (sheet->mesh.per_stitch || sheet->solve.method == METHOD_LBFGS)
-        return d->per_stitch >= sheet->mesh.per_stitch;
-    return fold->record->energy_error <= sheet->solve.accuracy || d->n > MOST_UNKNOWNS / 4;
+        return true;
+    return (error >= 0 && error <= sheet->solve.accuracy) || d->n > LEVELS_MOST_UNKNOWNS / 4;
+}
+
+/* One level at the full curvature; true when it is the last. */
+static bool settle_level(struct fold *fold, struct descent *end)
+{
+    const struct discretisation *d = fold->state->d;
+    bool passing = levels_passing(d);
+    fold->problem.tolerance = tolerance_of(fold, passing ? COARSE : 0);
+    *end = descent_to_minimum(&fold->problem, fold->sheet->solve.method, fold->state->x);
+    fold->pushes += end->pushes;
+    if (!may_go_on(end->outcome) || (!passing && !end->minimum))
+        return true;
+    struct discretisation *finer = levels_next(d, fold->threads);
+    double *x = MEMORY_ARRAY(double, finer->n);
+    bool nested = d->op->restrict_gradient;
+    if (!passing && nested)
+        estimate_ahead(fold, finer, x);
+    else
+        d->op->prolong(d, fold->state->x, finer, x);
+    if (!passing && !nested)
+        estimate_behind(fold);
+    if (!passing && fine_enough(fold)) {
+        finer->op->free(finer);
+        free(x);
+        return true;
+    }
+    fold->coarser_energy = fold->problem.energy.total;
+    replace_level(fold, finer, x);
+    return false;
 }
 
 /* The full curvature, from the level of the growth to the last. */
 static struct descent refine(struct fold *fold)
 {
-    const struct solve *solve = &fold->sheet->solve;
-    int wanted = fold->sheet->mesh.per_stitch;
-    for (;;) {
-        const struct discretisation *d = fold->state->d;
-        bool passing = is_spline(d) || d->per_stitch < wanted;
-        fold->problem.tolerance = tolerance_of(fold, passing ? COARSE : 0);
-        struct descent end = descent_to_minimum(&fold->problem, solve->method, fold->state->x);
-        fold->pushes += end.pushes;
-        if (!may_go_on(end.outcome))
-            return end;
-        struct discretisation *finer = next_level(fold, d);
-        double *x = MEMORY_ARRAY(double, finer->n);
-        if (passing)
-            d->op->prolong(d, fold->state->x, finer, x);
-        else if (end.minimum)
-            estimate(fold, finer, x);
-        if (!passing && (!end.minimum || fine_enough(fold))) {
-            finer->op->free(finer);
-            free(x);
-            return end;
-        }
-        replace_level(fold, finer, x);
-    }
+    struct descent end;
+    while (!settle_level(fold, &end))
+        continue;
+    return end;
 }
 
 static int thread_count(const struct fold_options *options)
@@ -318,7 +323,8 @@ struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options
 {
     *record = (struct fold_record){.status = FOLD_FAILED, .energy_error = -1, .shape_error = -1};
     struct fold fold = {.sheet = sheet, .observer = observer, .record = record,
-                        .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options)};
+                        .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options),
+                        .coarser_energy = -1};
     start_level(&fold);
     struct descent end = {.outcome = grow(&fold)};
     if (end.outcome == OUTCOME_CONVERGED) {

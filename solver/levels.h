@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Which discretisations a fold passes through, coarse to fine. */
+#ifndef WEFT_LEVELS_H
+#define WEFT_LEVELS_H
+
+#include "solver/discretisation.h"
+
+/* Unknowns beyond which per_stitch = auto does not refine. */
+enum { LEVELS_MOST_UNKNOWNS = 1000000 };
+
+/* The level a fold grows on: for patches the spline on the stitches' lines,
+ * for triangles the coarsest that halves to; for plain libLBFGS, the paper's
+ * own way, the one asked for. */
+struct discretisation *levels_first(const struct sheet *sheet, int threads);
+
+/* The level after this one: twice as fine, or as fine as asked for. */
+struct discretisation *levels_next(const struct discretisation *d, int threads);
+
+/* Is there a finer level before the one asked for? */
+bool levels_passing(const struct discretisation *d);
+
+#endif
