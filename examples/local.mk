@@ -1,3 +1,14 @@
 # One .knit per idea; each is a test.
-EXAMPLES = examples/miura.knit
+EXAMPLES = examples/bars.knit \
+    examples/chains.knit \
+    examples/columns.knit \
+    examples/flag.knit \
+    examples/miura.knit \
+    examples/own_stitch.knit \
+    examples/peaks.knit \
+    examples/rib.knit \
+    examples/seed.knit \
+    examples/squiggles.knit \
+    examples/stockinette.knit \
+    examples/weave.knit
 EXTRA_DIST += $(EXAMPLES)

@@ -249,7 +249,8 @@ static void use_file(struct eval *eval, struct module *user, const struct stmt *
         return;
     }
     for (struct binding *b = module->first; b; b = b->after) {
-        if (b->kind == BINDING_SPACE || b->kind == BINDING_ALIAS)
+        /* What it got from elsewhere, and names like _this, are its own business. */
+        if (b->kind == BINDING_SPACE || b->kind == BINDING_ALIAS || *b->name == '_')
             continue;
         binding = declare(eval, user, BINDING_ALIAS, b->name, stmt->span);
         if (binding)

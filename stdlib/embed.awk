@@ -25,7 +25,8 @@ FNR == 1 {
     about = ""
 }
 { print "    " quoted($0) "," }
-# The first line of the comment above a motif is what it is.
+# The first line of the comment above a motif is what it is; a name that
+# begins with _ is the file's own business.
 /^#/ {
     if (!commented)
         about = $0
@@ -38,6 +39,11 @@ FNR == 1 {
     sub(/^motif +/, "", head)
     name[nnames] = head
     sub(/[^A-Za-z0-9_].*/, "", name[nnames])
+    if (name[nnames] ~ /^_/) {
+        commented = 0
+        about = ""
+        next
+    }
     arguments[nnames] = ""
     if (match(head, /^[A-Za-z0-9_]+ *\([^)]*\)/)) {
         arguments[nnames] = substr(head, RSTART, RLENGTH)

@@ -1,5 +1,15 @@
 # Motifs in .knit, embedded in the binary.
-STDLIB = stdlib/miura.knit
+STDLIB = stdlib/bars.knit \
+    stdlib/baskets.knit \
+    stdlib/chains.knit \
+    stdlib/columns.knit \
+    stdlib/miura.knit \
+    stdlib/peaks.knit \
+    stdlib/plain.knit \
+    stdlib/ribs.knit \
+    stdlib/seed.knit \
+    stdlib/squiggles.knit \
+    stdlib/weave.knit
 EXTRA_DIST += $(STDLIB) stdlib/embed.awk
 CLEANFILES += stdlib/embedded.c
 nodist_liblang_a_SOURCES = stdlib/embedded.c
