@@ -29,14 +29,14 @@ static int face_node(const struct triangle_mesh *m, int f, int k)
 static void number_unknowns(struct triangle *t, int *visit)
 {
     const struct triangle_mesh *m = t->mesh;
-    int nnodes = m->nvertices + m->nedges;
+    int nnodes = m->nvertices + m->nedges, parts[2] = {0, 0};
     int *order = memory_array((size_t)nnodes, sizeof *order);
     t->vertex_at = memory_array((size_t)m->nvertices, sizeof *t->vertex_at);
     t->edge_at   = memory_array((size_t)m->nedges, sizeof *t->edge_at);
     if (m->nx > 0) {
         int nsplit = triangle_mesh_nsplit(m), cells = m->nx * m->ny;
         int *cell = memory_array((size_t)cells, sizeof *cell);
-        triangle_mesh_dissect(m, order, cell);
+        triangle_mesh_dissect(m, order, cell, parts);
         for (int f = 0; f < m->nfaces; f++)
             visit[f] = cell[f / nsplit] * nsplit + f % nsplit;
         free(cell);
@@ -53,6 +53,9 @@ static void number_unknowns(struct triangle *t, int *visit)
         else
             t->edge_at[order[k] - m->nvertices] = n;
         n += node_size(t, order[k]);
+        for (int part = 0; part < 2; part++)
+            if (k + 1 == parts[part])
+                t->base.parts[part] = n;
     }
     free(order);
     t->base.n       = n;

@@ -316,9 +316,15 @@ static void dissect(struct dissection *d, int a0, int a1, int b0, int b1)
     }
 }
 
-void triangle_mesh_dissect(const struct triangle_mesh *m, int *order, int *cell)
+void triangle_mesh_dissect(const struct triangle_mesh *m, int *order, int *cell, int parts[2])
 {
-    struct dissection d = { .mesh = m, .order = order, .cell = cell };
-    dissect(&d, 0, 2 * m->nx, 0, 2 * m->ny);
+    struct dissection d = {.mesh = m, .order = order, .cell = cell};
+    bool wide = m->nx >= m->ny;
+    int a1 = 2 * m->nx, b1 = 2 * m->ny, cut = wide ? middle(0, a1) : middle(0, b1);
+    dissect(&d, 0, wide ? cut - 1 : a1, 0, wide ? b1 : cut - 1);
+    parts[0] = d.norder;
+    dissect(&d, wide ? cut + 1 : 0, a1, wide ? 0 : cut + 1, b1);
+    parts[1] = d.norder;
+    dissect(&d, wide ? cut : 0, wide ? cut : a1, wide ? 0 : cut, wide ? b1 : cut);
     assert(d.norder == m->nvertices + m->nedges && d.ncell == m->nx * m->ny);
 }

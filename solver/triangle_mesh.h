@@ -55,7 +55,8 @@ int triangle_mesh_nsplit(const struct triangle_mesh *mesh);                /* fa
 
 /* Nodes are vertices, then edges (nvertices + e).  Fills order (nvertices + nedges): the nodes in an
  * order of elimination by nested dissection along grid lines, and cell (nx * ny): the cells as that
- * order first meets them, neighbours in the fabric close together. */
-void triangle_mesh_dissect(const struct triangle_mesh *mesh, int *order, int *cell);
+ * order first meets them, neighbours in the fabric close together.  parts: the first parts[0] nodes and those
+ * from there to parts[1] meet in no face. */
+void triangle_mesh_dissect(const struct triangle_mesh *mesh, int *order, int *cell, int parts[2]);
 
 #endif

@@ -18,6 +18,16 @@ tests_solver_test_triangle_SOURCES = tests/solver/test_triangle.c tests/solver/d
 tests_solver_test_triangle_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_solver_test_triangle_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 
+check_PROGRAMS += tests/solver/test_triangle_known
+tests_solver_test_triangle_known_SOURCES = tests/solver/test_triangle_known.c tests/solver/differences.c tests/solver/differences.h
+tests_solver_test_triangle_known_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_solver_test_triangle_known_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
+check_PROGRAMS += tests/solver/test_triangle_transfer
+tests_solver_test_triangle_transfer_SOURCES = tests/solver/test_triangle_transfer.c tests/solver/differences.c tests/solver/differences.h
+tests_solver_test_triangle_transfer_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_solver_test_triangle_transfer_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
 check_PROGRAMS += tests/solver/test_triangle_reference
 tests_solver_test_triangle_reference_SOURCES = tests/solver/test_triangle_reference.c \
 	tests/solver/reference.c tests/solver/reference.h
