@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Conjugate gradients on a level's Hessian, preconditioned by the sum of its
+ * nodes' own blocks and the factor of the next coarser level,
+ * M^-1 = D^-1 + P H_coarse^-1 P^T: no factor of the level itself. */
+#ifndef WEFT_TWO_LEVEL_H
+#define WEFT_TWO_LEVEL_H
+
+#include "solver/discretisation.h"
+#include "solver/factor.h"
+
+struct two_level;
+
+/* Levels nested and in blocks (restrict_gradient, block > 0); the coarse
+ * factor stays the caller's, who may renew it between solves. */
+struct two_level *two_level_make(const struct discretisation *coarse, struct factor *factor,
+                                 const struct discretisation *fine);
+void two_level_free(struct two_level *t);
+
+/* Takes the fine Hessian at x (fine n).  false: a node's own block is not positive definite. */
+bool two_level_update(struct two_level *t, const double *x, double growth, enum hessian_kind kind);
+
+enum two_level_end { TWO_LEVEL_DONE, TWO_LEVEL_NEGATIVE, TWO_LEVEL_CAP };
+
+struct two_level_result {
+    enum two_level_end end;
+    int                iterations;
+    double             decrease;    /* of 1/2 e.He + g.e; grows towards 1/2 g.H^-1 g */
+};
+
+/* H e = -g from e = 0, until a step adds less than `enough` of the decrease.
+ * A direction of negative curvature ends it: that is left in negative (fine n)
+ * where this is not NULL, and e holds what came before. */
+struct two_level_result two_level_solve(struct two_level *t, const double *g, double enough, int most, double *e,
+                                        double *negative);
+
+/* y = H v (fine n). */
+void two_level_multiply(const struct two_level *t, const double *v, double *y);
+
+#endif
