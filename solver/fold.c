@@ -36,7 +36,8 @@ struct fold {
     struct effort               effort;
     int                         threads;
     int                         pushes;     /* saddles left on all levels */
-    double                      coarser_energy; /* of the level before, < 0: none */
+    double                      coarser_energy; /* of the level before, where levels are not nested */
+    struct surface              coarser;        /* its surface; position NULL: there was none */
 };
 
 /* ---- levels ---- */
@@ -237,15 +238,19 @@ static double energy_scale(const struct fold *fold)
     return total > flat / 100 ? total : flat;
 }
 
+static double sheet_size(const struct sheet *sheet)
+{
+    return hypot(sheet->columns * sheet->dx, sheet->rows * sheet->dy);
+}
+
 /* Estimates the error of a minimum with the help of the next level; x (its n)
  * becomes a start there. */
 static void estimate_ahead(struct fold *fold, const struct discretisation *finer, double *x)
 {
-    const struct sheet *sheet = fold->sheet;
     struct estimate error = estimate_error(&fold->problem, fold->state->x, finer, x);
-    double scale = energy_scale(fold), size = hypot(sheet->columns * sheet->dx, sheet->rows * sheet->dy);
+    double scale = energy_scale(fold);
     fold->record->energy_error = scale > 0 ? error.energy / scale : 0;
-    fold->record->shape_error = error.shape / size;
+    fold->record->shape_error = error.shape / sheet_size(fold->sheet);
 }
 
 /* Where levels are not nested: from the change since the last one, of half the
@@ -254,9 +259,30 @@ static void estimate_ahead(struct fold *fold, const struct discretisation *finer
 static void estimate_behind(struct fold *fold)
 {
     static const double LEFT = 1.5 / 2.48;
-    double change = fabs(fold->problem.energy.total - fold->coarser_energy), scale = energy_scale(fold);
-    if (fold->coarser_energy >= 0)
-        fold->record->energy_error = scale > 0 ? LEFT * change / scale : 0;
+    double change = fabs(fold->problem.energy.total - fold->coarser_energy), scale = energy_scale(fold), furthest = 0;
+    if (!fold->coarser.position)
+        return;
+    const struct sheet *sheet = fold->sheet;
+    struct surface now = surface_make(sheet->columns, sheet->rows, 1);
+    fold_sample(fold->state, &now);
+    for (size_t i = 0; i < 3 * (size_t)(now.nx + 1) * (size_t)(now.ny + 1); i += 3)
+        furthest = fmax(furthest, sqrt(square(now.position[i] - fold->coarser.position[i]) +
+                                       square(now.position[i + 1] - fold->coarser.position[i + 1]) +
+                                       square(now.position[i + 2] - fold->coarser.position[i + 2])));
+    surface_free(&now);
+    fold->record->energy_error = scale > 0 ? LEFT * change / scale : 0;
+    fold->record->shape_error = LEFT * furthest / sheet_size(sheet);
+}
+
+/* Keeps what estimate_behind compares the next level with. */
+static void remember_level(struct fold *fold)
+{
+    if (fold->state->d->op->restrict_gradient)
+        return;
+    if (!fold->coarser.position)
+        fold->coarser = surface_make(fold->sheet->columns, fold->sheet->rows, 1);
+    fold_sample(fold->state, &fold->coarser);
+    fold->coarser_energy = fold->problem.energy.total;
 }
 
 /* Is this level the last: as fine as asked for, or accurate enough, or all that fits? */
@@ -294,7 +320,7 @@ static bool settle_level(struct fold *fold, struct descent *end)
         free(x);
         return true;
     }
-    fold->coarser_energy = fold->problem.energy.total;
+    remember_level(fold);
     replace_level(fold, finer, x);
     return false;
 }
@@ -323,8 +349,7 @@ struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options
 {
     *record = (struct fold_record){.status = FOLD_FAILED, .energy_error = -1, .shape_error = -1};
     struct fold fold = {.sheet = sheet, .observer = observer, .record = record,
-                        .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options),
-                        .coarser_energy = -1};
+                        .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options)};
     start_level(&fold);
     struct descent end = {.outcome = grow(&fold)};
     if (end.outcome == OUTCOME_CONVERGED) {
@@ -335,6 +360,7 @@ struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options
     }
     finish_record(&fold, end);
     problem_close(&fold.problem);
+    surface_free(&fold.coarser);
     return fold.state;
 }
 

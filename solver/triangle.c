@@ -54,6 +54,12 @@ static void triangle_free(struct discretisation *d)
     free(t);
 }
 
+static const char *triangle_doubt(const struct discretisation *d, const double *x)
+{
+    return triangle_max_angle(d, x) > acos(-1) / 2 ? "an edge's normal is turned by more than 90 degrees: spurious, "
+                                                     "the mesh is too coarse for this curvature" : NULL;
+}
+
 static const struct discretisation_ops triangle_ops = {
     .kind      = "triangle",
     .flat      = triangle_flat,
@@ -64,6 +70,7 @@ static const struct discretisation_ops triangle_ops = {
     .cotangent = triangle_cotangent,
     .prolong   = triangle_prolong,
     .sample    = triangle_sample,
+    .doubt     = triangle_doubt,
     .free      = triangle_free,
 };
 
