@@ -1,5 +1,19 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
-int main(void)
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * weft: a command line in, what the command does and its exit status out. */
+#include <config.h>
+
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/streams.h"
+
+int main(int argc, char **argv)
 {
-    return 0;
+    struct options options;
+    streams_open();
+    interrupt_install();
+    enum status status = options_parse(&options, argc, argv);
+    if (status == STATUS_DONE)
+        status = options.help ? command_help(&options) : options.command->run(&options);
+    options_free(&options);
+    return streams_close(status);
 }

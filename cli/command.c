@@ -23,8 +23,8 @@ const struct command command_table[] = {
     {"params", "FILE", 1, 1, command_params, "list the parameters a script can be given",
      "Prints each param of FILE with its value, range and text: what -D can set.\n"},
     {"list", "[NAME]", 0, 1, command_list, "list the built-in motifs",
-     "Prints the motifs that `use ... from std` knows: name, the multiple of stitches\n"
-     "they repeat over, rows, and what they are. With NAME: one of them and its chart.\n"},
+     "Prints the motifs that `use ... from std` knows: the multiple of stitches and\n"
+     "the rows they repeat over, and what they are. With NAME: one, and its chart.\n"},
     {"version", "", 0, 0, command_version, "print the version", "Prints the version of weft and of its report's schema.\n"},
     {"help", "[COMMAND]", 0, 1, command_help, "explain weft or one of its commands", "Prints this.\n"},
     {0},

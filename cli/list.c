@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "cli/command.h"
-#include "cli/suggest.h"
+#include "lang/names.h"
 #include "output/chart.h"
 
 /* "8 + 1": the widths a motif fits are the multiples of the first plus the second. */
@@ -53,14 +53,14 @@ static enum status print_motif(const struct library_motif *m)
 static enum status list_one(const struct options *options, const struct library_motif *motif, int count)
 {
     const char *name = options->operand[0];
-    struct suggestion nearest = suggest_begin(name);
+    struct nearest nearest = nearest_to(name);
     for (const struct library_motif *m = motif; m < motif + count; m++) {
         if (strcmp(m->name, name) == 0)
             return print_motif(m);
-        suggest_word(&nearest, m->name);
+        nearest_offer(&nearest, m->name);
     }
-    if (nearest.word)
-        return options_wrong(options, "there is no motif '%s'; did you mean %s?", name, nearest.word);
+    if (nearest.best)
+        return options_wrong(options, "there is no motif '%s'; did you mean %s?", name, nearest.best);
     return options_wrong(options, "there is no motif '%s'", name);
 }
 

@@ -14,5 +14,4 @@ libcli_a_SOURCES = \
     cli/run.c \
     cli/script.c cli/script.h \
     cli/streams.c cli/streams.h \
-    cli/suggest.c cli/suggest.h \
     cli/version.c

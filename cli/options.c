@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "cli/command.h"
-#include "cli/suggest.h"
+#include "lang/names.h"
 
 enum { THREADS_MAX = 1024 };
 
@@ -155,12 +155,12 @@ static enum status unknown_option(const struct options *options, const char *wor
 {
     char name[64];
     snprintf(name, sizeof name, "%.*s", (int)length, word);
-    struct suggestion nearest = suggest_begin(name);
+    struct nearest nearest = nearest_to(name);
     for (const struct option *o = option_table; o->help; o++)
         if (o->name)
-            suggest_word(&nearest, o->name);
-    if (length > 2 && nearest.word)
-        return options_wrong(options, "unknown option '%s'; did you mean %s?", name, nearest.word);
+            nearest_offer(&nearest, o->name);
+    if (length > 2 && nearest.best)
+        return options_wrong(options, "unknown option '%s'; did you mean %s?", name, nearest.best);
     return options_wrong(options, "unknown option '%s'", name);
 }
 
@@ -235,11 +235,11 @@ static enum status parse_words(struct options *options, struct parse *parse)
 /* A first operand that is neither a command nor a file: which is it meant to be? */
 static enum status unknown_command(const struct options *options, const char *word)
 {
-    struct suggestion nearest = suggest_begin(word);
+    struct nearest nearest = nearest_to(word);
     for (const struct command *c = command_table; c->name; c++)
-        suggest_word(&nearest, c->name);
-    if (nearest.word)
-        return options_wrong(options, "there is no command or file '%s'; did you mean %s?", word, nearest.word);
+        nearest_offer(&nearest, c->name);
+    if (nearest.best)
+        return options_wrong(options, "there is no command or file '%s'; did you mean %s?", word, nearest.best);
     return options_wrong(options, "there is no command or file '%s'", word);
 }
 

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "cli/progress.h"
 #include "output/chart.h"
@@ -49,7 +50,7 @@ enum { NWRITERS = sizeof writers / sizeof writers[0] };
 static bool has_extension(const char *path, const char *extension)
 {
     size_t n = strlen(path), m = strlen(extension);
-    return n >= m && strcmp(path + n - m, extension) == 0;
+    return n >= m && strcasecmp(path + n - m, extension) == 0;
 }
 
 static const struct writer *find_writer(enum output_kind kind, const char *path)
@@ -94,18 +95,6 @@ static enum status check_kind(const struct scene *scene, const struct output *ou
     return status_of(output);
 }
 
-static enum status check_twice(const struct scene *scene, int index)
-{
-    for (int i = 0; i < index; i++) {
-        if (strcmp(scene->output[i].path, scene->output[index].path) != 0)
-            continue;
-        print_place(scene, &scene->output[index]);
-        fprintf(stderr, "'%s' is written by two outputs\n", scene->output[index].path);
-        return status_of(&scene->output[index]);
-    }
-    return STATUS_DONE;
-}
-
 static enum status check_path(struct outputs *outputs, const struct output *output)
 {
     if (file_check(&outputs->log, output->path))
@@ -124,8 +113,6 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
     for (int i = 0; i < scene->noutputs; i++) {
         const struct output *output = &scene->output[i];
         enum status status = check_kind(scene, output);
-        if (status == STATUS_DONE)
-            status = check_twice(scene, i);
         if (status == STATUS_DONE)
             status = check_path(outputs, output);
         if (status != STATUS_DONE)

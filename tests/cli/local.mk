@@ -1,4 +1,18 @@
 # The command line, from outside: TAP scripts that run the binary.
-cli_tests = tests/cli/layers.sh
+cli_tests = \
+    tests/cli/chart.sh \
+    tests/cli/check.sh \
+    tests/cli/interrupt.sh \
+    tests/cli/layers.sh \
+    tests/cli/options.sh \
+    tests/cli/params.sh \
+    tests/cli/run.sh
 check_SCRIPTS += $(cli_tests)
 EXTRA_DIST += $(cli_tests) tests/tap.sh
+
+# A reader of JSON for the scripts; not a test itself.
+EXTRA_PROGRAMS = tests/cli/json
+tests_cli_json_SOURCES = tests/cli/json.c
+tests_cli_json_LDADD = $(CJSON_LIBS)
+CLEANFILES += $(EXTRA_PROGRAMS)
+tests/cli/check.sh.log tests/cli/options.sh.log tests/cli/params.sh.log tests/cli/run.sh.log: tests/cli/json$(EXEEXT)

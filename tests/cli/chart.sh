@@ -1,0 +1,58 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# weft chart: which way up, and what happens when it cannot be printed.
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+
+# A motif that equals none of its mirror, upside-down and inverse images.
+cat >"$work/flag.knit" <<'KNIT'
+motif flag {
+  chart (x = P, o = K) {
+    o o o x   3
+    o o x x   2
+    o x x x   1
+  }
+}
+swatch flag
+output "unused.txt"
+KNIT
+
+exits 0 'text chart' "$WEFT" chart "$work/flag.knit"
+check 'top row first, odd numbers at the right' diff - "$work/out" <<'TEXT'
+  k k k p  3
+2 k k p p
+  k p p p  1
+TEXT
+
+exits 0 'grid' "$WEFT" chart --grid "$work/flag.knit"
+printf '# 1 1\nK P P P\nK K P P\nK K K P\n' >"$work/grid"
+check 'bottom row first' diff "$work/grid" "$work/out"
+
+exits 0 'grid to a file' "$WEFT" chart "$work/flag.knit" -o "$work/x.txt" -o "chart:$work/y.txt"
+empty 'prints nothing' "$work/out"
+check 'the file is the grid' diff "$work/grid" "$work/x.txt"
+check 'with a kind, too' diff "$work/grid" "$work/y.txt"
+check "the script's own outputs are not written" test ! -e unused.txt
+
+exits 4 'a folder that is not there' "$WEFT" chart "$work/flag.knit" -o "$work/none/x.txt"
+err 'is named' "there is no folder '.*none'"
+
+if [ -w /dev/full ]; then
+    exits 4 'a full disk' sh -c '"$1" chart "$2" >/dev/full' - "$WEFT" "$work/flag.knit"
+    err 'is said' 'standard output: No space left'
+    exits 4 'a full disk, for the other commands' sh -c '"$1" help >/dev/full' - "$WEFT"
+    err 'is said by them, too' 'standard output: No space left'
+else
+    skip 'a full disk' 'no /dev/full'
+fi
+exits 4 'no standard output' sh -c '"$1" chart "$2" >&-' - "$WEFT" "$work/flag.knit"
+exits 0 'no standard error' sh -c '"$1" chart "$2" 2>&-' - "$WEFT" "$work/flag.knit"
+
+# A reader that goes away early gets its line; weft ends quietly with status 4.
+echo "swatch tile(K, 900, 900)" >"$work/large.knit"
+check 'a pipe cut short' sh -c '{ "$1" chart "$2" 2>"$3/err"; echo $? >"$3/status"; } | head -n 1 >"$3/out"' - \
+    "$WEFT" "$work/large.knit" "$work"
+check 'gives its first line' test "$(wc -l <"$work/out")" = 1
+check 'ends with status 4' test "$(cat "$work/status")" = 4
+empty 'without a message' "$work/err"
+
+finish

@@ -1,0 +1,63 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A run that is stopped keeps what is complete and leaves nothing else.
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+
+# Large enough to be in the middle when the signal comes.
+cat >"$work/slow.knit" <<'KNIT'
+motif checks { Row 1: *k2, p2; rep from * to end
+  Row 2: *k2, p2; rep from * to end
+  Row 3: *p2, k2; rep from * to end
+  Row 4: *p2, k2; rep from * to end }
+swatch fill(checks, 40, 40)
+solve { steps = 500 }
+KNIT
+
+# whole FOLDER: its collection names files that are there, all others are gone.
+whole() {
+    (
+        cd "$1" || exit 1
+        names=$(sed -n 's/.* file="\(.*\)".*/\1/p' x.pvd)
+        [ -n "$names" ] && grep -q '</VTKFile>' x.pvd || exit 1
+        for name in $names; do
+            tail -c 11 "$name" | grep -q '</VTKFile>' || exit 1
+        done
+        # A step may be complete that the collection does not name yet.
+        [ -z "$(find . -name '.*' -type f)" ] && [ ! -e r.json ] && [ ! -e y.vtp ]
+    )
+}
+
+# stop SIGNAL: starts a run, sends the signal once the second step stands.
+stop() {
+    folder=$work/$1
+    mkdir "$folder"
+    "$WEFT" run "$work/slow.knit" -o "$folder/x.pvd" -o "$folder/y.vtp" -o "$folder/r.json" \
+        >"$work/out" 2>"$work/err" &
+    job=$!
+    tries=0
+    while [ ! -e "$folder/x_001.vtp" ] && [ "$tries" -lt 600 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    kill -s "$1" "$job"
+    status=0
+    wait "$job" || status=$?
+    check "$1: exit status 1" test "$status" = 1
+    err "$1: says so" 'stopped after [0-9]* of 500 growth steps; .*x.pvd holds what is complete'
+    check "$1: what is complete is kept, nothing else" whole "$folder"
+}
+
+stop TERM
+stop HUP
+
+# SIGINT by way of a program that is not a shell's background job.
+if command -v timeout >/dev/null 2>&1; then
+    mkdir "$work/int"
+    exits 1 'INT' timeout --preserve-status -s INT 3 "$WEFT" run "$work/slow.knit" -o "$work/int/x.pvd" -o "$work/int/r.json"
+    err 'INT: says so' 'stopped after'
+    check 'INT: what is complete is kept, nothing else' whole "$work/int"
+else
+    skip 'INT' 'no timeout program'
+fi
+
+finish
