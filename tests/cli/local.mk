@@ -11,8 +11,8 @@ check_SCRIPTS += $(cli_tests)
 EXTRA_DIST += $(cli_tests) tests/tap.sh
 
 # A reader of JSON for the scripts; not a test itself.
-EXTRA_PROGRAMS = tests/cli/json
+EXTRA_PROGRAMS += tests/cli/json
 tests_cli_json_SOURCES = tests/cli/json.c
 tests_cli_json_LDADD = $(CJSON_LIBS)
-CLEANFILES += $(EXTRA_PROGRAMS)
+CLEANFILES += tests/cli/json$(EXEEXT)
 tests/cli/check.sh.log tests/cli/options.sh.log tests/cli/params.sh.log tests/cli/run.sh.log: tests/cli/json$(EXEEXT)
