@@ -14,6 +14,8 @@ enum { MOST_PUSHES = 12 };
 /* libLBFGS in the factor's coordinates far out, Newton where it converges quadratically. */
 static enum outcome settle_auto(struct problem *p, double *x)
 {
+    if (p->two_level)
+        return newton_minimise(p, x);
     double tolerance = p->tolerance, h = p->d->sheet->thickness;
     p->tolerance = fmax(tolerance, HANDOVER * h * h);
     enum outcome outcome = plbfgs_minimise(p, x);

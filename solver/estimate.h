@@ -11,9 +11,10 @@ struct estimate {
     double shape;       /* bound meant for the largest distance to that surface; length */
 };
 
-/* x (n): a minimum of p, its exact Hessian the one last factored in p.  fine:
- * the next level; x_fine (fine n) becomes the prolonged state, moved by the
+/* x (n): a minimum of p.  fine: the next level; coarse, factor: p's own level or
+ * a coarser one, and the factor of its Hessian near x, that precondition it; x_fine (fine n) becomes the prolonged state, moved by the
  * predicted step: a start for a minimisation there. */
-struct estimate estimate_error(struct problem *p, const double *x, const struct discretisation *fine, double *x_fine);
+struct estimate estimate_error(const struct problem *p, const struct discretisation *coarse, struct factor *factor,
+                               const double *x, const struct discretisation *fine, double *x_fine);
 
 #endif

@@ -35,6 +35,11 @@ struct fold {
     struct problem              problem;
     struct effort               effort;
     int                         threads;
+    long                        most_factored;
+    struct {
+        struct discretisation *d;
+        struct factor         *factor;
+    } kept;                                     /* the last level that was factored, once one is too large */
     int                         pushes;     /* saddles left on all levels */
     double                      coarser_energy; /* of the level before, where levels are not nested */
     struct surface              coarser;        /* its surface; position NULL: there was none */
@@ -72,16 +77,35 @@ static void start_level(struct fold *fold)
         state->x[state->d->node[i] + 2] += sheet->solve.noise * sheet->thickness * noise_next(&seed);
 }
 
+/* This level and its factor precondition the next ones, too large to factor. */
+static void keep_level(struct fold *fold)
+{
+    fold->kept.d = fold->state->d;
+    fold->kept.factor = fold->problem.factor;
+    fold->problem.factor = NULL;
+}
+
+static void close_level(struct fold *fold)
+{
+    two_level_free(fold->problem.two_level);
+    problem_close(&fold->problem);
+}
+
 /* The state x of a finer level, taken over, is where the fold goes on. */
 static void replace_level(struct fold *fold, struct discretisation *finer, double *x)
 {
     struct fold_state *state = fold->state;
-    problem_close(&fold->problem);
-    state->d->op->free(state->d);
+    if (finer->n > fold->most_factored && finer->op->restrict_gradient && fold->problem.factor)
+        keep_level(fold);
+    if (state->d != fold->kept.d)
+        state->d->op->free(state->d);
+    close_level(fold);
     free(state->x);
     state->d = finer;
     state->x = x;
     open_level(fold, state->growth);
+    if (fold->kept.d)
+        fold->problem.two_level = two_level_make(fold->kept.d, fold->kept.factor, finer);
 }
 
 /* ---- record ---- */
@@ -247,7 +271,9 @@ static double sheet_size(const struct sheet *sheet)
  * becomes a start there. */
 static void estimate_ahead(struct fold *fold, const struct discretisation *finer, double *x)
 {
-    struct estimate error = estimate_error(&fold->problem, fold->state->x, finer, x);
+    struct discretisation *coarse = fold->kept.d ? fold->kept.d : fold->state->d;
+    struct factor *factor = fold->kept.d ? fold->kept.factor : fold->problem.factor;
+    struct estimate error = estimate_error(&fold->problem, coarse, factor, fold->state->x, finer, x);
     double scale = energy_scale(fold);
     fold->record->energy_error = scale > 0 ? error.energy / scale : 0;
     fold->record->shape_error = error.shape / sheet_size(fold->sheet);
@@ -349,7 +375,8 @@ struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options
 {
     *record = (struct fold_record){.status = FOLD_FAILED, .energy_error = -1, .shape_error = -1};
     struct fold fold = {.sheet = sheet, .observer = observer, .record = record,
-                        .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options)};
+                        .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options),
+                        .most_factored = options->most_factored ? options->most_factored : FOLD_MOST_FACTORED};
     start_level(&fold);
     struct descent end = {.outcome = grow(&fold)};
     if (end.outcome == OUTCOME_CONVERGED) {
@@ -359,7 +386,10 @@ struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options
             record_step(&fold, fold.effort.iterations - before);
     }
     finish_record(&fold, end);
-    problem_close(&fold.problem);
+    close_level(&fold);
+    factor_free(fold.kept.factor);
+    if (fold.kept.d)
+        fold.kept.d->op->free(fold.kept.d);
     surface_free(&fold.coarser);
     return fold.state;
 }

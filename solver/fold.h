@@ -22,7 +22,12 @@ struct fold_observer {
     bool (*progress)(void *self, double growth, int iterations, double energy);
 };
 
-struct fold_options { int threads; };       /* 0 = all processors */
+struct fold_options {
+    int  threads;           /* 0 = all processors */
+    long most_factored;     /* unknowns beyond which Newton's steps are found by conjugate gradients; 0 = FOLD_MOST_FACTORED */
+};
+
+enum { FOLD_MOST_FACTORED = 2000000 };
 
 /* Folds the sheet.  Prints nothing; what went wrong is record->status and
  * record->remark.  The record is always filled; free with fold_record_free.

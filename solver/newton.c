@@ -6,12 +6,16 @@
 #include <string.h>
 
 #include "solver/memory.h"
+#include "solver/noise.h"
 #include "solver/problem.h"
 #include "solver/stopwatch.h"
 
 static const double ARMIJO = 1e-4;          /* share of the predicted decrease a step must reach */
 static const double ROUNDING = 1e-13;       /* of the energy: smaller decreases are not seen */
 static const double FIRST_SHIFT = 1e-5, LAST_SHIFT = 1e6;
+static const double GAIN = 1e-4;            /* of the decrease: a conjugate step that adds less is the last */
+static const double GAIN_OF_TEST = 1e-10;   /* the same in the inertia test */
+enum { MOST_CONJUGATE = 300 };
 
 static double dot(int n, const double *a, const double *b)
 {
@@ -33,10 +37,24 @@ static bool factor_shifted(struct problem *p, const double *x, double *shift)
     return true;
 }
 
-/* step = -T (H + shift M)^-1 T^T g; no node moves further than the sheet's stitch diagonal times `most`. */
-static void newton_step(struct problem *p, const double *x, double most)
+/* No node moves further than `most`. */
+static void cap_step(const struct discretisation *d, double most, double *step)
+{
+    double furthest = 0;
+    for (int i = 0; i < d->nnodes; i++)
+        for (int c = 0; c < 3; c++)
+            furthest = fmax(furthest, fabs(step[d->node[i] + c]));
+    if (furthest > most)
+        for (int i = 0; i < d->n; i++)
+            step[i] *= most / furthest;
+}
+
+/* step = -T (H + shift M)^-1 T^T g */
+static bool factored_step(struct problem *p, const double *x, double *shift)
 {
     const struct discretisation *d = p->d;
+    if (!factor_shifted(p, x, shift))
+        return false;
     double start = stopwatch();
     const double *g = p->gradient;
     if (d->op->cotangent) {
@@ -48,14 +66,30 @@ static void newton_step(struct problem *p, const double *x, double most)
         memcpy(p->trial, p->step, sizeof *p->trial * (size_t)d->n);
         d->op->tangent(d, x, p->trial, p->step);
     }
-    double furthest = 0;
-    for (int i = 0; i < d->nnodes; i++)
-        for (int c = 0; c < 3; c++)
-            furthest = fmax(furthest, fabs(p->step[d->node[i] + c]));
-    double scale = furthest > most ? -most / furthest : -1;
     for (int i = 0; i < d->n; i++)
-        p->step[i] *= scale;
+        p->step[i] = -p->step[i];
     p->effort->solve_s += stopwatch() - start;
+    return true;
+}
+
+/* Conjugate gradients on H step = -g until a direction of negative curvature,
+ * which is taken alone where it is the first (Steihaug 1983); the semidefinite
+ * Hessian where a node's own block has a negative direction. */
+static bool conjugate_step(struct problem *p, const double *x)
+{
+    double start = stopwatch();
+    size_t size = sizeof *p->step * (size_t)p->d->n;
+    bool exact = two_level_update(p->two_level, x, p->growth, HESSIAN_EXACT);
+    if (!exact && !two_level_update(p->two_level, x, p->growth, HESSIAN_SEMIDEFINITE))
+        return false;
+    double assembled = stopwatch();
+    p->effort->assemble_s += assembled - start;
+    struct two_level_result result =
+        two_level_solve(p->two_level, p->gradient, GAIN, MOST_CONJUGATE, p->step, p->trial);
+    if (result.end == TWO_LEVEL_NEGATIVE && result.decrease == 0)
+        memcpy(p->step, p->trial, size);
+    p->effort->solve_s += stopwatch() - assembled;
+    return true;
 }
 
 /* Moves x along the step by Armijo's rule with quadratic backtracking; returns
@@ -104,9 +138,9 @@ enum outcome newton_minimise(struct problem *p, double *x)
     while (p->gradient_max > p->tolerance) {
         if (p->effort->iterations >= p->limit)
             return OUTCOME_LIMIT;
-        if (!factor_shifted(p, x, &shift))
+        if (!(p->two_level ? conjugate_step(p, x) : factored_step(p, x, &shift)))
             return OUTCOME_FAILED;
-        newton_step(p, x, most);
+        cap_step(p->d, most, p->step);
         double slope = dot(p->d->n, p->gradient, p->step);
         if (-slope < ROUNDING * fabs(energy)) {
             p->effort->iterations++;
@@ -153,9 +187,26 @@ static double softest_direction(struct problem *p, double shift, double *v)
     return curvature;
 }
 
+/* Without a factor: conjugate gradients for a right side H w, w arbitrary, meet
+ * any direction of negative curvature before they converge (but for one that w
+ * happens to be orthogonal to). */
+static bool is_minimum_by_conjugates(struct problem *p, const double *x, double *direction)
+{
+    uint64_t seed = 1;
+    if (!two_level_update(p->two_level, x, p->growth, HESSIAN_EXACT))
+        return false;
+    for (int i = 0; i < p->d->n; i++)
+        p->step[i] = noise_next(&seed);
+    two_level_multiply(p->two_level, p->step, p->trial);
+    return two_level_solve(p->two_level, p->trial, GAIN_OF_TEST, MOST_CONJUGATE, p->step, direction).end ==
+           TWO_LEVEL_DONE;
+}
+
 bool newton_is_minimum(struct problem *p, const double *x, double *direction)
 {
     double shift = 0;
+    if (p->two_level)
+        return is_minimum_by_conjugates(p, x, direction);
     if (!factor_shifted(p, x, &shift))
         return false;
     if (shift == 0)

@@ -8,6 +8,7 @@
 
 #include "solver/discretisation.h"
 #include "solver/factor.h"
+#include "solver/two_level.h"
 
 /* Summed over all levels and growth steps of a fold. */
 struct effort {
@@ -33,6 +34,7 @@ struct problem {
     bool         (*progress)(void *self, double growth, int iterations, double energy);
     void          *progress_self;
 
+    struct two_level *two_level;    /* instead of a factor, where that does not fit; the caller's, or NULL */
     struct factor *factor;          /* symbolic for the level; NULL until problem_factor needs it */
     double        *hessian;         /* (pattern.start[n]) */
     double        *mass;            /* (n) */
