@@ -18,7 +18,7 @@ only() {
     fi
 }
 
-only lang 'lang/.*'
+only lang '(lang/.*|parser\.h)'
 only charts '(lang|charts)/.*'
 only solver '(solver/.*|lang/(scene|grid)\.h)'
 only output '(output/.*|solver/surface\.h|lang/(scene|grid)\.h)'
