@@ -24,8 +24,11 @@ static struct expr *expr_new(struct parse *parse, enum expr_kind kind, struct sp
     e->span = span;
     e->depth = depth + 1;
     if (e->depth > LIMIT_DEPTH) {
-        diag_error(parse->diag, CODE_LIMIT_DEPTH, span, "this expression is nested more than %d deep", LIMIT_DEPTH);
-        diag_hint(parse->diag, "give parts of it names with 'let'");
+        if (!parse->too_deep) {
+            diag_error(parse->diag, CODE_LIMIT_DEPTH, span, "this expression is nested more than %d deep", LIMIT_DEPTH);
+            diag_hint(parse->diag, "give parts of it names with 'let'");
+        }
+        parse->too_deep = true;
         e->kind = EXPR_BAD;
         e->depth = 1;
     }

@@ -182,6 +182,7 @@ static bool lower_body(struct eval *eval, struct where where, const struct row *
             return false;
         }
         text->work = other->work;
+        text->failed = other->failed;
         text->as_below = other->as_below;
         text->check = text->check < 0 ? other->check : text->check;
         return true;
@@ -213,7 +214,7 @@ static bool run_row(struct eval *eval, struct where where, const struct stmt *st
 
     /* A row with an error still counts: those after it keep their places. */
     if (!lower_body(eval, where, row, body, text))
-        body->failed = true;
+        text->failed = true;
     for (const struct row_numbers *part = row->numbers; part; part = part->next)
         if (part->all)
             rows_fill(body->rows, text, part->all, labels.n ? labels.label[0] : 1);

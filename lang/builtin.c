@@ -462,10 +462,17 @@ static const struct builtin builtins[] = {
 };
 static const int nbuiltins = sizeof builtins / sizeof *builtins;
 
-const struct builtin *builtin_find(const char *name)
+void builtin_init(struct eval *eval)
+{
+    eval->function = arena_array(eval->arena, const char *, (size_t)nbuiltins);
+    for (int i = 0; i < nbuiltins; i++)
+        eval->function[i] = names_intern(eval->names, builtins[i].name, strlen(builtins[i].name));
+}
+
+const struct builtin *builtin_find(const struct eval *eval, const char *name)
 {
     for (int i = 0; i < nbuiltins; i++)
-        if (strcmp(builtins[i].name, name) == 0)
+        if (eval->function[i] == name)
             return &builtins[i];
     return NULL;
 }

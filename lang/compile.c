@@ -58,6 +58,7 @@ void eval_init(struct eval *eval, struct arena *arena, struct diag *diag)
     eval->word_K = names_intern(eval->names, "K", 1);
     eval->word_P = names_intern(eval->names, "P", 1);
     eval->word_pi = names_intern(eval->names, "pi", 2);
+    builtin_init(eval);
     eval->nstitches = 2;
     eval->stitch[STITCH_K] = (struct stitch){.name = "K", .symbol = "k", .kx = -1, .ky = 1, .ws = STITCH_P};
     eval->stitch[STITCH_P] = (struct stitch){.name = "P", .symbol = "p", .kx = 1, .ky = -1, .ws = STITCH_K};
@@ -89,6 +90,7 @@ static void override(struct compilation *c, const struct compile_override *given
     const struct option_value *option;
     const char *dot = strchr(given->name, '.');
     const char *stitch = dot ? arena_copy(eval->arena, given->name, (size_t)(dot - given->name)) : NULL;
+    struct nearest nearest;
     bool is_stitch = false;
 
     for (int i = 0; stitch && i < eval->nstitches; i++)
@@ -99,8 +101,12 @@ static void override(struct compilation *c, const struct compile_override *given
     if (is_stitch ? stitches_override(eval, stitch, dot + 1, option->name, option->value)
                   : settings_override(eval, &c->settings, given->name, option->value))
         return;
+    nearest = nearest_to(given->name);
+    settings_offer(eval->arena, &nearest);
     diag_error(eval->diag, CODE_DEFINE, option->name, "there is no key '%s'", given->name);
-    diag_hint(eval->diag, "keys are written with their block: solve.steps, material.thickness, K.kx");
+    diag_did_you_mean(eval->diag, nearest.best);
+    if (!nearest.best)
+        diag_hint(eval->diag, "keys are written with their block: solve.steps, material.thickness, K.kx");
 }
 
 static void set_parameters(struct compilation *c)
@@ -148,7 +154,7 @@ static long long open_width(struct compilation *c, const struct body *body)
     struct diag *diag = c->eval.diag;
     struct fit fit;
 
-    if (!rows_fit(body->rows, &fit))
+    if (!rows_fit(body->rows, &fit) || !rows_good(body->rows))
         return 0;
     if (!fit.multiple)
         return fit.plus;

@@ -320,14 +320,16 @@ static struct value index_value(struct eval *eval, struct where where, const str
 static struct value call_value(struct eval *eval, struct where where, const struct expr *e)
 {
     const struct expr *function = e->call.function;
+    const struct builtin *builtin;
     struct binding *binding = NULL;
     struct value value;
 
     /* A motif of this file or a used one; then the language's own functions. */
     if (function->kind == EXPR_NAME) {
         binding = module_find(where.module, function->text);
-        if (!binding && builtin_find(function->text))
-            return builtin_call(eval, where, builtin_find(function->text), e);
+        builtin = binding ? NULL : builtin_find(eval, function->text);
+        if (builtin)
+            return builtin_call(eval, where, builtin, e);
     } else if (function->kind == EXPR_MEMBER) {
         struct binding *space = module_find(where.module, function->member.space);
 

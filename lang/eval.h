@@ -124,6 +124,7 @@ struct eval {
     int                 depth, calls, written_rows;
     bool                exhausted;      /* a limit of time was reported */
     const char         *word_K, *word_P, *word_pi;
+    const char        **function;       /* names of the built-in functions, in their table's order */
 };
 
 void eval_init(struct eval *, struct arena *, struct diag *);
@@ -156,7 +157,8 @@ void module_unknown(struct eval *, struct where, const char *name, struct span);
 
 /* builtin.c: functions */
 struct builtin;
-const struct builtin *builtin_find(const char *name);
+void builtin_init(struct eval *);
+const struct builtin *builtin_find(const struct eval *, const char *name);
 struct value builtin_call(struct eval *, struct where, const struct builtin *, const struct expr *call);
 void builtin_offer(struct nearest *);
 

@@ -2,7 +2,7 @@
  * Files and the names in them: a parsed file in, its declarations by name out;
  * `use` brings in those of other files. */
 #include <errno.h>
-#include <limits.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,13 +12,10 @@
 
 static struct module *module_load(struct eval *, const struct source *, const char *folder, const char *key);
 
+/* Names are interned, so their addresses will do. */
 static unsigned bucket_of(const char *name)
 {
-    unsigned hash = 5381;
-
-    while (*name)
-        hash = hash * 33 + (unsigned char)*name++;
-    return hash % 64;
+    return (unsigned)((uintptr_t)name / 32 % 64);
 }
 
 struct binding *module_find(const struct module *module, const char *name)
@@ -66,10 +63,10 @@ static struct binding *declare(struct eval *eval, struct module *module, enum bi
         diag_note(eval->diag, binding->span, "here");
         return NULL;
     }
-    if (module->nnames++ >= LIMIT_NAMES) {
+    if (module->nnames == LIMIT_NAMES)
         diag_error(eval->diag, CODE_LIMIT_NAMES, span, "a file may give %d names", LIMIT_NAMES);
+    if (module->nnames++ >= LIMIT_NAMES)
         return NULL;
-    }
     binding = arena_new(eval->arena, struct binding);
     *binding = (struct binding){.name = name, .kind = kind, .span = span, .module = module, .low = 1, .high = 0};
     binding->next = module->bucket[bucket];

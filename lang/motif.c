@@ -127,8 +127,8 @@ static bool prepare_rows(struct eval *eval, struct motif *m)
         return false;
     }
     if (m->stmt->motif.multiple.of)
-        return explicit_multiple(eval, m);
-    if (!rows_fit(m->rows, &fit))
+        return explicit_multiple(eval, m);      /* what it says is checked when it is worked */
+    if (!rows_fit(m->rows, &fit) || !rows_good(m->rows))
         return false;
 
     /* With n repeats the width is multiple * n + plus; none at all is plus. */

@@ -15,6 +15,7 @@ struct parse {
     struct stmt         *file;          /* the result: statements, */
     struct expr         *expression;    /* or the value of an option */
     struct scanner      *scanner;
+    bool                 too_deep;      /* an expression was: it is said once */
 };
 
 /* Statements of a whole script; NULL also for one without any. Errors are in diag. */

@@ -228,13 +228,16 @@ start:
 
 lines:
   line                                  { $$ = (struct stmts){$line, $line}; }
-| lines[all] NEWLINE line               { $$ = $all; if ($line) APPEND($$, $line); }
+| lines[all] newline line               { $$ = $all; if ($line) APPEND($$, $line); }
 ;
+
+/* Behind a line with an error the next is read afresh. */
+newline: NEWLINE                        { yyerrok; };
 
 line:
   %empty                                { $$ = NULL; }
 | statement
-| error                                 { $$ = NULL; yyerrok; }
+| error                                 { $$ = NULL; }
 ;
 
 statement: simple | if | row_statement | repeat_statement;
@@ -326,12 +329,12 @@ block_opt: %empty                       { $$ = (struct pairs){0}; } | block;
 block: '{' settings '}'                 { $$ = $settings; };
 settings:
   setting                               { $$ = (struct pairs){$1, $1}; }
-| settings[all] NEWLINE setting         { $$ = $all; if ($setting) APPEND($$, $setting); }
+| settings[all] newline setting         { $$ = $all; if ($setting) APPEND($$, $setting); }
 ;
 setting:
   %empty                                { $$ = NULL; }
 | name '=' expr                         { $$ = ast_pair(parse, @name, $name.name, $expr); }
-| error                                 { $$ = NULL; yyerrok; }
+| error                                 { $$ = NULL; }
 ;
 
 /* ---- charts ---- */
@@ -494,7 +497,6 @@ primary:
 | NAME[space] '.' NAME[member]          { $$ = expr_member(parse, @$, $space, $member); }
 | '(' expr ')'                          { $$ = $2; $$->span = @$; }
 | '[' exprs ']'                         { $$ = expr_list(parse, @$, $exprs.first); }
-| '(' error ')'                         { $$ = expr_bad(parse, @$); }
 ;
 
 exprs: %empty                           { $$ = (struct exprs){0}; } | exprs_1;

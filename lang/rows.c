@@ -55,6 +55,14 @@ bool rows_any(const struct row_list *list)
     return list->norder || list->npending || list->filler;
 }
 
+bool rows_good(const struct row_list *list)
+{
+    for (int i = 0; i < list->norder; i++)
+        if (list->order[i]->failed)
+            return false;
+    return !list->failed;
+}
+
 int rows_count(const struct row_list *list)
 {
     return list->norder;
@@ -307,7 +315,7 @@ bool rows_fit(const struct row_list *list, struct fit *fit)
         struct fit row, both;
 
         /* Each text once, however often it is worked. */
-        if (text->as_below || text->seen)
+        if (text->as_below || text->failed || text->seen)
             continue;
         text->seen = true;
         if (!row_fit(list->diag, text, &row))
@@ -355,6 +363,11 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             check_side(list, text, i);
         if (list->failed)
             return NULL;
+        if (text->failed) {
+            good = false;
+            before = NULL;
+            continue;
+        }
         if (text->as_below && i == 0) {
             diag_error(list->diag, CODE_ROW_REFERENCE, text->span, "there is no row below the first");
             return NULL;

@@ -39,6 +39,7 @@ struct row_text {
     struct work *work;
     long long    check;         /* (n sts), -1: none */
     struct span  span, head, check_span;
+    bool         failed;        /* an error was reported: it only takes its place */
     bool         seen;
     int          drawn[3];      /* 1 + the grid row that shows it, by side; 0: none */
 };
@@ -70,6 +71,9 @@ void rows_again(struct row_list *, struct span, const int *label, int n, long lo
 
 /* Closes the list: fills the gaps, decides the sides. False after an error. */
 bool rows_finish(struct row_list *);
+
+/* Whether every text is good. */
+bool rows_good(const struct row_list *);
 
 int rows_count(const struct row_list *);
 int rows_last_label(const struct row_list *);

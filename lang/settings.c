@@ -164,7 +164,7 @@ static bool in_range(struct eval *eval, const struct key *key, struct span span,
 {
     if (number <= key->high && (key->above_low ? number > key->low : number >= key->low))
         return true;
-    diag_error(eval->diag, CODE_RANGE, span, "%s = %.15g is out of range: %s %g and at most %.16g", key->name, number,
+    diag_error(eval->diag, CODE_RANGE, span, "%s = %.15g is out of range: %s %g and at most %g", key->name, number,
                key->above_low ? "greater than" : "at least", key->low, key->high);
     if (strcmp(key->name, "accuracy") == 0 && number >= 1)
         diag_hint(eval->diag, "one percent is written 1%% or 0.01");
@@ -293,6 +293,13 @@ bool settings_override(struct eval *eval, struct settings *settings, const char 
     if (read_key(eval, (struct where){eval->main, NULL}, &keys[i], value, &settings->value[i]))
         settings->value[i].from = FROM_COMMAND_LINE;
     return true;
+}
+
+/* Every key as the command line writes it. */
+void settings_offer(struct arena *arena, struct nearest *nearest)
+{
+    for (int i = 0; i < SETTINGS; i++)
+        nearest_offer(nearest, arena_printf(arena, "%s.%s", keys[i].block, keys[i].name));
 }
 
 /* ---- results ---- */

@@ -28,6 +28,8 @@ void settings_block(struct eval *, struct settings *, const struct stmt *);
 /* Sets "block.key" from the command line; false where there is no such key. */
 bool settings_override(struct eval *, struct settings *, const char *name, const struct expr *value);
 
+void settings_offer(struct arena *, struct nearest *);
+
 /* Puts the values where the scene has them, and lists them. */
 void settings_apply(const struct settings *, struct scene *);
 int settings_list(const struct settings *, struct setting *);

@@ -171,8 +171,10 @@ static void turn_over(struct eval *eval)
     double *to_p[NUMBERS] = {&p->kx, &p->ky, &p->twist};
 
     for (int i = 0; i < NUMBERS; i++)
-        if (eval->stitch_from[STITCH_P][i] == FROM_DEFAULT)
+        if (eval->stitch_from[STITCH_P][i] == FROM_DEFAULT) {
             *to_p[i] = from_k[i];
+            eval->stitch_from[STITCH_P][i] = eval->stitch_from[STITCH_K][i];
+        }
 }
 
 void stitches_evaluate(struct eval *eval)

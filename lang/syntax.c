@@ -56,6 +56,10 @@ static void no_statement(struct parse *parse, struct span span)
     span.end = span.start + (unsigned)length;
     word = arena_copy(parse->arena, text, length);
     behind = length + strspn(text + length, " \t");
+    if (*text == '}') {
+        diag_error(parse->diag, CODE_UNCLOSED, span, "this '}' closes nothing");
+        return;
+    }
     diag_error(parse->diag, CODE_STATEMENT, span, "no statement begins with '%s'", word);
     if (looks_like_row(text))
         diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`");
