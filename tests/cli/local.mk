@@ -1,11 +1,14 @@
 # The command line, from outside: TAP scripts that run the binary.
 cli_tests = \
+    tests/cli/bootstrap.sh \
     tests/cli/chart.sh \
     tests/cli/check.sh \
     tests/cli/interrupt.sh \
     tests/cli/layers.sh \
+    tests/cli/list.sh \
     tests/cli/options.sh \
     tests/cli/params.sh \
+    tests/cli/progress.sh \
     tests/cli/run.sh
 check_SCRIPTS += $(cli_tests)
 EXTRA_DIST += $(cli_tests) tests/tap.sh
