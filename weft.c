@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/streams.h"
+#include "cli/waiting.h"
 
 int main(int argc, char **argv)
 {
@@ -12,6 +13,8 @@ int main(int argc, char **argv)
     streams_open();
     interrupt_install();
     enum status status = options_parse(&options, argc, argv);
+    if (status == STATUS_DONE && !options.help && options.command->run == command_run)
+        waiting_sleep(argv);
     if (status == STATUS_DONE)
         status = options.help ? command_help(&options) : options.command->run(&options);
     options_free(&options);

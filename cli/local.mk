@@ -14,4 +14,5 @@ libcli_a_SOURCES = \
     cli/run.c \
     cli/script.c cli/script.h \
     cli/streams.c cli/streams.h \
-    cli/version.c
+    cli/version.c \
+    cli/waiting.c cli/waiting.h
