@@ -6,18 +6,23 @@
 
 #include <signal.h>
 #include <stddef.h>
+#include <time.h>
 
 #include "output/file.h"
 
 /* All that a signal handler may know. */
-static volatile sig_atomic_t ask_first, asked;
+static volatile sig_atomic_t ask_first;
+static _Atomic time_t asked;            /* when, in seconds; 0: not yet */
+
+enum { PATIENCE = 2 };                  /* seconds in which signals count as one: some programs send each twice */
 
 static void handle(int number)
 {
-    if (ask_first && !asked) {
-        asked = 1;
+    time_t now = time(NULL);
+    if (ask_first && !asked)
+        asked = now;
+    if (ask_first && now - asked < PATIENCE)
         return;
-    }
     file_remove_unfinished();
     signal(number, SIG_DFL);
     raise(number);

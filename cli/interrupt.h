@@ -10,7 +10,7 @@
 void interrupt_install(void);
 
 /* From now on the first signal only asks, for someone looks at
- * interrupt_asked; a second one ends the program. */
+ * interrupt_asked; one that comes seconds later ends the program. */
 void interrupt_ask_first(void);
 
 bool interrupt_asked(void);
