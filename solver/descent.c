@@ -8,22 +8,36 @@
 
 #include "solver/memory.h"
 
-static const double HANDOVER = 1e-6;    /* gradient, young * thickness^2, below which Newton takes over */
-enum { MOST_PUSHES = 12 };
+static const double HANDOVER = 1e-4, CLOSER = 1e-6; /* gradients, young * thickness^2, where Newton takes over */
+enum { NEWTON_TRIES = 8, MOST_PUSHES = 12 };
 
-/* libLBFGS in the factor's coordinates far out, Newton where it converges quadratically. */
+/* libLBFGS in the factor's coordinates down to a gradient, then Newton for at most so many iterations. */
+static enum outcome approach(struct problem *p, double gradient, int newton, double *x)
+{
+    double tolerance = p->tolerance, h = p->d->sheet->thickness;
+    int limit = p->limit;
+    p->tolerance = fmax(tolerance, gradient * h * h);
+    enum outcome outcome = plbfgs_minimise(p, x);
+    bool reached = outcome == OUTCOME_CONVERGED && p->gradient_max <= tolerance;
+    p->tolerance = tolerance;
+    if (reached || outcome == OUTCOME_LIMIT || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
+        return outcome;
+    if (newton < limit - p->effort->iterations)
+        p->limit = p->effort->iterations + newton;
+    outcome = newton_minimise(p, x);
+    p->limit = limit;
+    return outcome;
+}
+
+/* Newton's few factors pay where it converges at once; where it does not, libLBFGS goes on first. */
 static enum outcome settle_auto(struct problem *p, double *x)
 {
     if (p->two_level)
         return newton_minimise(p, x);
-    double tolerance = p->tolerance, h = p->d->sheet->thickness;
-    p->tolerance = fmax(tolerance, HANDOVER * h * h);
-    enum outcome outcome = plbfgs_minimise(p, x);
-    p->tolerance = tolerance;
-    if ((outcome == OUTCOME_CONVERGED && p->gradient_max <= tolerance) ||
-        outcome == OUTCOME_LIMIT || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
+    enum outcome outcome = approach(p, HANDOVER, NEWTON_TRIES, x);
+    if (outcome != OUTCOME_LIMIT || p->effort->iterations >= p->limit)
         return outcome;
-    return newton_minimise(p, x);
+    return approach(p, CLOSER, p->limit, x);
 }
 
 enum outcome descent_settle(struct problem *p, enum method method, double *x)
