@@ -12,6 +12,7 @@
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/script.h"
+#include "solver/forecast.h"
 #include "solver/sheet.h"
 
 /* One run, from the command line to its end. */
@@ -137,8 +138,14 @@ static enum status stopped(const struct run *run)
 /* What a run would do. */
 static void print_plan(const struct scene *scene)
 {
+    struct sheet *sheet = sheet_build(scene);
+    struct forecast forecast = forecast_fold(sheet);
+    sheet_free(sheet);
     printf("%s: %d stitches x %d rows, %d growth steps\n", scene->file, scene->grid->columns, scene->grid->rows,
            scene->solve.steps);
+    printf("%s%d per stitch: %ld unknowns, %ld elements\n", scene->mesh.per_stitch ? "" : "at least ", forecast.per_stitch,
+           forecast.unknowns, forecast.elements);
+    printf("about %.*f s, %.2f GB\n", forecast.seconds < 10, forecast.seconds, forecast.bytes / 1e9);
     for (int i = 0; i < scene->noutputs; i++)
         printf("%s %s", i == 0 ? "would write" : ",", scene->output[i].path);
     printf("%s", scene->noutputs > 0 ? "\n" : "");

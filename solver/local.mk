@@ -14,3 +14,5 @@ libsolver_a_SOURCES += \
     solver/triangle.c solver/triangle.h solver/triangle_mesh.c solver/triangle_mesh.h \
     solver/triangle_model.h solver/triangle_kernel.h solver/triangle_layout.c \
     solver/triangle_evaluate.c solver/triangle_transfer.c
+
+libsolver_a_SOURCES += solver/forecast.c solver/forecast.h
