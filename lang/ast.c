@@ -25,7 +25,8 @@ static struct expr *expr_new(struct parse *parse, enum expr_kind kind, struct sp
     e->depth = depth + 1;
     if (e->depth > LIMIT_DEPTH) {
         if (!parse->too_deep) {
-            diag_error(parse->diag, CODE_LIMIT_DEPTH, span, "this expression is nested more than %d deep", LIMIT_DEPTH);
+            diag_error(parse->diag, CODE_LIMIT_DEPTH, span, "this expression is nested more than %d deep",
+                       LIMIT_DEPTH);
             diag_hint(parse->diag, "give parts of it names with 'let'");
         }
         parse->too_deep = true;
@@ -146,8 +147,8 @@ struct item *item_group(struct parse *parse, enum item_kind kind, struct span sp
     return item;
 }
 
-struct row_numbers *ast_row_numbers(struct parse *parse, struct span span, struct expr *first, struct expr *last,
-                                    enum all_kind all)
+struct row_numbers *ast_row_numbers(struct parse *parse, struct span span, struct expr *first,
+                                    struct expr *last, enum all_kind all)
 {
     struct row_numbers *numbers = arena_new(parse->arena, struct row_numbers);
 

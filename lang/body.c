@@ -19,8 +19,8 @@ static struct work *work_new(struct eval *eval, const struct item *item)
     struct work *work = arena_new(eval->arena, struct work);
 
     if (++eval->items == LIMIT_ITEMS)
-        diag_error(eval->diag, CODE_LIMIT_ROWS, item->span, "the rows have more than %d stitches and groups to work",
-                   LIMIT_ITEMS);
+        diag_error(eval->diag, CODE_LIMIT_ROWS, item->span,
+                   "the rows have more than %d stitches and groups to work", LIMIT_ITEMS);
     work->span = item->span;
     return work;
 }
@@ -44,7 +44,8 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
         work->n = n + 1;
         if (item->kind == ITEM_REP_FROM || item->kind == ITEM_STARS)
             return true;
-        diag_error(eval->diag, CODE_ROW_REPEAT, until->span, "a group in brackets is worked so many times in all, not more");
+        diag_error(eval->diag, CODE_ROW_REPEAT, until->span,
+                   "a group in brackets is worked so many times in all, not more");
         return false;
     case UNTIL_LAST:
         work->until = WORK_LAST;
@@ -57,7 +58,8 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
 }
 
 /* `k2` and `k 2`; a bare `k` that is the whole row fills it. */
-static bool lower_stitch(struct eval *eval, struct where where, const struct item *item, bool alone, struct work *work)
+static bool lower_stitch(struct eval *eval, struct where where, const struct item *item, bool alone,
+                         struct work *work)
 {
     long long in_name, count = 1;
 
@@ -67,7 +69,8 @@ static bool lower_stitch(struct eval *eval, struct where where, const struct ite
         diag_error(eval->diag, CODE_ROW_REPEAT, item->span, "'%s' has a number already", item->name);
         return false;
     }
-    if (item->count && !eval_whole(eval, where, item->count, 0, LIMIT_STITCHES, "the number of stitches", &count))
+    if (item->count &&
+        !eval_whole(eval, where, item->count, 0, LIMIT_STITCHES, "the number of stitches", &count))
         return false;
     work->length = in_name >= 0 ? in_name : count;
     if (alone && in_name < 0 && !item->count && item->until.kind == UNTIL_ONCE)
@@ -115,7 +118,8 @@ struct labels {
 static bool add_label(struct eval *eval, struct labels *labels, long long label, struct span span)
 {
     if (labels->n >= LIMIT_WRITTEN_ROWS) {
-        diag_error(eval->diag, CODE_LIMIT_ROWS, span, "a pattern may have %d written rows", LIMIT_WRITTEN_ROWS);
+        diag_error(eval->diag, CODE_LIMIT_ROWS, span, "a pattern may have %d written rows",
+                   LIMIT_WRITTEN_ROWS);
         return false;
     }
     if (labels->n == labels->room) {
@@ -131,7 +135,8 @@ static bool add_label(struct eval *eval, struct labels *labels, long long label,
     return true;
 }
 
-static bool evaluate_labels(struct eval *eval, struct where where, const struct row_numbers *part, struct labels *labels)
+static bool evaluate_labels(struct eval *eval, struct where where, const struct row_numbers *part,
+                            struct labels *labels)
 {
     for (; part; part = part->next) {
         long long first, last;
@@ -160,7 +165,8 @@ static bool lower_check(struct eval *eval, struct where where, const struct row 
 {
     text->check = -1;
     text->check_span = row->check_span;
-    return !row->check || eval_whole(eval, where, row->check, 0, LIMIT_STITCHES, "the number of stitches", &text->check);
+    return !row->check ||
+           eval_whole(eval, where, row->check, 0, LIMIT_STITCHES, "the number of stitches", &text->check);
 }
 
 static bool lower_body(struct eval *eval, struct where where, const struct row *row, struct body *body,
@@ -178,7 +184,8 @@ static bool lower_body(struct eval *eval, struct where where, const struct row *
             return false;
         other = rows_find(body->rows, (int)label);
         if (!other) {
-            diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "there is no row %lld before this one", label);
+            diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span,
+                       "there is no row %lld before this one", label);
             return false;
         }
         text->work = other->work;
@@ -207,7 +214,8 @@ static bool run_row(struct eval *eval, struct where where, const struct stmt *st
     struct row_text *text = arena_new(eval->arena, struct row_text);
     struct labels labels = {0};
 
-    *text = (struct row_text){.side = row->side, .round = row->round, .span = row->body_span, .head = row->head};
+    *text =
+        (struct row_text){.side = row->side, .round = row->round, .span = row->body_span, .head = row->head};
     if (too_many_rows(eval, row->head) || !evaluate_labels(eval, where, row->numbers, &labels) ||
         !lower_check(eval, where, row, text))
         return false;
@@ -242,7 +250,8 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
                 return false;
     }
     if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
-        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how often these rows are repeated is not said: not once more");
+        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span,
+                     "how often these rows are repeated is not said: not once more");
         diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
     }
     if (again->kind == AGAIN_TIMES && n)
@@ -266,7 +275,8 @@ static bool run_cast_on(struct eval *eval, struct where where, const struct stmt
         return false;
     }
     body->cast_on_span = stmt->span;
-    return eval_whole(eval, where, stmt->cast_on.n, 1, LIMIT_STITCHES, "the number of stitches", &body->cast_on);
+    return eval_whole(eval, where, stmt->cast_on.n, 1, LIMIT_STITCHES, "the number of stitches",
+                      &body->cast_on);
 }
 
 /* ---- statements ---- */
@@ -311,7 +321,8 @@ static bool run_if(struct eval *eval, struct where where, const struct stmt *stm
 
 static bool misplaced(struct eval *eval, const struct stmt *stmt, const struct body *body)
 {
-    diag_error(eval->diag, CODE_PLACE, stmt->span, body->top ? "this cannot stand inside a loop or an `if`" : "this cannot stand inside a motif");
+    diag_error(eval->diag, CODE_PLACE, stmt->span,
+               body->top ? "this cannot stand inside a loop or an `if`" : "this cannot stand inside a motif");
     diag_hint(eval->diag, "inside stand rows, charts, `repeat rows`, `let`, `for` and `if`");
     return false;
 }
@@ -327,7 +338,8 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
             diag_error(eval->diag, CODE_MIXED_MOTIF, stmt->span, "a motif is one chart, or rows");
             return false;
         }
-        return stmt->kind == STMT_ROW ? run_row(eval, *where, stmt, body) : run_again(eval, *where, stmt, body);
+        return stmt->kind == STMT_ROW ? run_row(eval, *where, stmt, body)
+                                      : run_again(eval, *where, stmt, body);
     case STMT_CHART:
         return run_chart(eval, *where, stmt, body);
     case STMT_FOR:

@@ -11,21 +11,21 @@
 enum { ARGUMENTS = 6 };
 
 struct call {
-    struct eval          *eval;
+    struct eval *eval;
     const struct builtin *function;
-    struct span           span;
-    int                   n;            /* values; for named ones the number of formals */
-    struct value         *value;        /* VALUE_BAD: not given */
-    struct span          *at;
+    struct span span;
+    int n;               /* values; for named ones the number of formals */
+    struct value *value; /* VALUE_BAD: not given */
+    struct span *at;
 };
 
 struct builtin {
     const char *name;
     struct value (*run)(struct call *);
-    const char *formal[ARGUMENTS];      /* the first `required` must be given */
+    const char *formal[ARGUMENTS]; /* the first `required` must be given */
     int required;
-    bool many;                          /* takes any number, by position */
-    double (*number)(double);           /* of one number */
+    bool many;                /* takes any number, by position */
+    double (*number)(double); /* of one number */
 };
 
 static const struct value bad = {.kind = VALUE_BAD};
@@ -37,7 +37,8 @@ static const struct grid *fabric(struct call *call, int i)
     return fabric_of(call->eval, call->value[i], call->at[i]);
 }
 
-static bool whole(struct call *call, int i, long long low, long long high, long long otherwise, long long *number)
+static bool whole(struct call *call, int i, long long low, long long high, long long otherwise,
+                  long long *number)
 {
     struct diag *diag = call->eval->diag;
     struct value value = call->value[i];
@@ -47,13 +48,13 @@ static bool whole(struct call *call, int i, long long low, long long high, long 
     if (value.kind == VALUE_BAD)
         return true;
     if (value.kind != VALUE_NUMBER || value.dimension) {
-        diag_error(diag, CODE_TYPE, call->at[i], "'%s' of %s is a plain number, not %s", name, call->function->name,
-                   value.kind == VALUE_NUMBER ? "a length" : value_type(value));
+        diag_error(diag, CODE_TYPE, call->at[i], "'%s' of %s is a plain number, not %s", name,
+                   call->function->name, value.kind == VALUE_NUMBER ? "a length" : value_type(value));
         return false;
     }
     if (value.number != floor(value.number)) {
-        diag_error(diag, CODE_WHOLE, call->at[i], "'%s' of %s must be a whole number, not %g", name, call->function->name,
-                   value.number);
+        diag_error(diag, CODE_WHOLE, call->at[i], "'%s' of %s must be a whole number, not %g", name,
+                   call->function->name, value.number);
         return false;
     }
     if (value.number < (double)low || value.number > (double)high) {
@@ -72,8 +73,8 @@ static bool number(struct call *call, int i, double *to)
         return true;
     }
     if (call->value[i].kind != VALUE_BAD)
-        diag_error(call->eval->diag, CODE_TYPE, call->at[i], "%s needs a number, this is %s", call->function->name,
-                   value_type(call->value[i]));
+        diag_error(call->eval->diag, CODE_TYPE, call->at[i], "%s needs a number, this is %s",
+                   call->function->name, value_type(call->value[i]));
     return false;
 }
 
@@ -81,7 +82,8 @@ static struct value if_finite(struct call *call, double result, int dimension)
 {
     if (isfinite(result))
         return value_number(result, dimension);
-    diag_error(call->eval->diag, CODE_NOT_FINITE, call->span, "%s has no finite result here", call->function->name);
+    diag_error(call->eval->diag, CODE_NOT_FINITE, call->span, "%s has no finite result here",
+               call->function->name);
     return bad;
 }
 
@@ -182,7 +184,8 @@ static struct value run_count(struct call *call)
     if (stitch.kind == VALUE_BAD)
         return value_number((double)g->columns * g->rows, 0);
     if (stitch.kind != VALUE_STITCH) {
-        diag_error(call->eval->diag, CODE_TYPE, call->at[1], "count counts a stitch, this is %s", value_type(stitch));
+        diag_error(call->eval->diag, CODE_TYPE, call->at[1], "count counts a stitch, this is %s",
+                   value_type(stitch));
         return bad;
     }
     return value_number((double)grid_count(g, stitch.stitch), 0);
@@ -229,7 +232,8 @@ static struct value run_tile(struct call *call)
     if (!whole(call, 1, 1, LIMIT_STITCHES, 1, &columns) || !whole(call, 2, 1, LIMIT_STITCHES, 1, &rows))
         return bad;
     if (m)
-        return value_grid(motif_grid(eval, m, m->multiple * columns + m->plus, motif_rows(m) * rows, call->span));
+        return value_grid(
+            motif_grid(eval, m, m->multiple * columns + m->plus, motif_rows(m) * rows, call->span));
     g = column_of(call, 0, 0, rows);
     if (g && call->value[0].kind == VALUE_MOTIF)
         rows = 1;
@@ -291,8 +295,8 @@ static const struct grid **parts(struct call *call, bool beside, long long *sum)
         *sum += beside ? part[i]->columns : part[i]->rows;
         if (beside ? part[i]->rows == part[0]->rows : part[i]->columns == part[0]->columns)
             continue;
-        diag_error(call->eval->diag, CODE_SIZES, call->at[i], "this is %d %s, the first is %d",
-                   beside ? part[i]->rows : part[i]->columns, beside ? "rows high" : "stitches wide",
+        diag_error(call->eval->diag, CODE_SIZES, call->at[i], "the %s is %d here, but %d in the first",
+                   beside ? "height" : "width", beside ? part[i]->rows : part[i]->columns,
                    beside ? part[0]->rows : part[0]->columns);
         diag_hint(call->eval->diag, "fill(motif, width, height) brings one to the size of the other");
         return NULL;
@@ -320,13 +324,14 @@ static struct value run_above(struct call *call)
     return value_grid(grid_above(call->eval->arena, part, call->n));
 }
 
-static bool lies_inside(struct call *call, const struct grid *whole_, long long x, long long y, long long columns,
-                        long long rows)
+static bool lies_inside(struct call *call, const struct grid *whole_, long long x, long long y,
+                        long long columns, long long rows)
 {
     if (x + columns <= whole_->columns && y + rows <= whole_->rows)
         return true;
-    diag_error(call->eval->diag, CODE_OUTSIDE, call->span, "%lld x %lld stitches at (%lld, %lld) do not lie inside %d x %d",
-               columns, rows, x, y, whole_->columns, whole_->rows);
+    diag_error(call->eval->diag, CODE_OUTSIDE, call->span,
+               "%lld x %lld stitches at (%lld, %lld) do not lie inside %d x %d", columns, rows, x, y,
+               whole_->columns, whole_->rows);
     return false;
 }
 
@@ -362,7 +367,8 @@ static struct value run_border(struct call *call)
     long long sts, rows;
 
     if (!g || !whole(call, 1, 0, LIMIT_STITCHES, 0, &sts) || !whole(call, 2, 0, LIMIT_STITCHES, 0, &rows) ||
-        !(frame = fabric(call, 3)) || !fabric_size(eval, call->span, g->columns + 2 * sts, g->rows + 2 * rows))
+        !(frame = fabric(call, 3)) ||
+        !fabric_size(eval, call->span, g->columns + 2 * sts, g->rows + 2 * rows))
         return bad;
     if (motif_behind(call, 3) && call->value[3].motif->plus)
         frame = grid_window(eval->arena, frame, 0, 0, (int)call->value[3].motif->multiple, frame->rows);
@@ -506,7 +512,8 @@ static const char *signature(struct arena *arena, const struct builtin *function
     return arena_printf(arena, "%s)", text);
 }
 
-static struct value wrong_arguments(struct eval *eval, const struct builtin *function, struct span span, const char *what)
+static struct value wrong_arguments(struct eval *eval, const struct builtin *function, struct span span,
+                                    const char *what)
 {
     diag_error(eval->diag, CODE_ARGUMENTS, span, "%s", what);
     diag_hint(eval->diag, "%s", signature(eval->arena, function));
@@ -525,13 +532,15 @@ static int place_of(struct eval *eval, const struct builtin *function, const str
     for (int i = 0; a->name && i < n; i++)
         if (strcmp(function->formal[i], a->name) == 0)
             return i;
-    wrong_arguments(eval, function, a->span,
-                    a->name ? arena_printf(eval->arena, "%s has no argument '%s'", function->name, a->name)
-                            : arena_printf(eval->arena, "%s takes %d argument%s", function->name, n, n == 1 ? "" : "s"));
+    wrong_arguments(
+        eval, function, a->span,
+        a->name ? arena_printf(eval->arena, "%s has no argument '%s'", function->name, a->name)
+                : arena_printf(eval->arena, "%s takes %d argument%s", function->name, n, n == 1 ? "" : "s"));
     return -1;
 }
 
-struct value builtin_call(struct eval *eval, struct where where, const struct builtin *function, const struct expr *e)
+struct value builtin_call(struct eval *eval, struct where where, const struct builtin *function,
+                          const struct expr *e)
 {
     int n = function->many ? e->call.n : nformals(function), position = 0;
     struct value few[ARGUMENTS] = {{0}};
@@ -550,7 +559,8 @@ struct value builtin_call(struct eval *eval, struct where where, const struct bu
         if (i < 0)
             return bad;
         if (call.at[i].source)
-            return wrong_arguments(eval, function, a->span, arena_printf(eval->arena, "'%s' is given twice", function->formal[i]));
+            return wrong_arguments(eval, function, a->span,
+                                   arena_printf(eval->arena, "'%s' is given twice", function->formal[i]));
         call.at[i] = a->value->span;
         call.value[i] = eval_expr(eval, where, a->value);
         if (call.value[i].kind == VALUE_BAD)
@@ -558,8 +568,10 @@ struct value builtin_call(struct eval *eval, struct where where, const struct bu
     }
     for (int i = 0; i < function->required; i++)
         if (i >= n || !call.at[i].source)
-            return wrong_arguments(eval, function, e->span,
-                                   function->many ? arena_printf(eval->arena, "%s needs an argument", function->name)
-                                                  : arena_printf(eval->arena, "%s needs '%s'", function->name, function->formal[i]));
+            return wrong_arguments(
+                eval, function, e->span,
+                function->many
+                    ? arena_printf(eval->arena, "%s needs an argument", function->name)
+                    : arena_printf(eval->arena, "%s needs '%s'", function->name, function->formal[i]));
     return function->run(&call);
 }

@@ -18,9 +18,9 @@ struct reader {
     struct eval *eval;
     struct key *key;
     int nkeys;
-    int width;              /* of the lines read so far; 0: none */
+    int width; /* of the lines read so far; 0: none */
     int box, box_width;
-    struct span first;      /* the line that fixed the width */
+    struct span first; /* the line that fixed the width */
 };
 
 static void add_key(struct reader *reader, const char *symbol, stitch_id stitch)
@@ -54,7 +54,8 @@ static bool given_key(struct reader *reader, struct module *module, const struct
 
         for (int i = 0; i < reader->nkeys; i++)
             if (strcmp(reader->key[i].symbol, symbol->symbol) == 0) {
-                diag_error(reader->eval->diag, CODE_TWICE, symbol->span, "'%s' has a meaning already", symbol->symbol);
+                diag_error(reader->eval->diag, CODE_TWICE, symbol->span, "'%s' has a meaning already",
+                           symbol->symbol);
                 return false;
             }
         if (!named_stitch(reader->eval, module, &symbol->stitch, &id))
@@ -72,7 +73,8 @@ static void default_key(struct reader *reader, struct module *module)
     for (struct binding *b = module->first; b; b = b->after) {
         struct binding *stitch = binding_target(b);
 
-        if (!stitch || stitch->kind != BINDING_STITCH || stitch->value.kind != VALUE_STITCH || stitch->value.stitch < 2)
+        if (!stitch || stitch->kind != BINDING_STITCH || stitch->value.kind != VALUE_STITCH ||
+            stitch->value.stitch < 2)
             continue;
         add_key(reader, reader->eval->stitch[stitch->value.stitch].symbol, stitch->value.stitch);
         add_key(reader, b->name, stitch->value.stitch);
@@ -112,7 +114,8 @@ static bool unknown_symbol(struct reader *reader, struct span span, const char *
 
     for (int i = 0; i < reader->nkeys && i < 8; i++)
         list = arena_printf(arena, "%s%s%s", list, i ? " " : "", reader->key[i].symbol);
-    diag_error(reader->eval->diag, CODE_CHART, span, "the chart's key does not know '%.*s'", (int)length, symbol);
+    diag_error(reader->eval->diag, CODE_CHART, span, "the chart's key does not know '%.*s'", (int)length,
+               symbol);
     diag_hint(reader->eval->diag, "it knows %s", list);
     return false;
 }
@@ -126,20 +129,22 @@ static bool is_row_number(const struct reader *reader, const char *word, size_t 
     return length > 0;
 }
 
-static bool check_row_number(struct reader *reader, struct span span, const char *word, size_t length, int row)
+static bool check_row_number(struct reader *reader, struct span span, const char *word, size_t length,
+                             int row)
 {
     long number = length > 9 ? -1 : strtol(word, NULL, 10);
 
     if (number == row)
         return true;
-    diag_error(reader->eval->diag, CODE_CHART, span, "this is row %d of the chart, not %.*s", row, (int)length, word);
+    diag_error(reader->eval->diag, CODE_CHART, span, "this is row %d of the chart, not %.*s", row,
+               (int)length, word);
     diag_hint(reader->eval->diag, "a chart's bottom line is row 1");
     return false;
 }
 
 /* The cells of one word: a symbol of several characters, or one each. */
-static int read_word(struct reader *reader, struct span line, const char *text, const char *word, size_t length,
-                     stitch_id *cell)
+static int read_word(struct reader *reader, struct span line, const char *text, const char *word,
+                     size_t length, stitch_id *cell)
 {
     const struct key *key = find_key(reader, word, length);
     int n = 0;
@@ -207,7 +212,8 @@ static int read_line(struct reader *reader, const struct name_at *line, int row,
     /* All lines mark the same repeat. */
     if (nbars && (nbars != 2 || box[1] <= box[0] ||
                   (reader->width && (box[0] != reader->box || box[1] - box[0] != reader->box_width)))) {
-        diag_error(reader->eval->diag, CODE_CHART, line->span, "the bars of this line do not mark the chart's repeat");
+        diag_error(reader->eval->diag, CODE_CHART, line->span,
+                   "the bars of this line do not mark the chart's repeat");
         return -1;
     }
     if (!nbars && reader->box_width) {
@@ -230,7 +236,8 @@ static bool check_width(struct reader *reader, const struct name_at *line, int n
     if (n == reader->width && n)
         return true;
     if (n)
-        diag_error(diag, CODE_CHART, line->span, "this line has %d stitches, the one below it %d", n, reader->width);
+        diag_error(diag, CODE_CHART, line->span, "this line has %d stitches, the one below it %d", n,
+                   reader->width);
     else
         diag_error(diag, CODE_CHART, line->span, "this line has no stitch");
     return false;

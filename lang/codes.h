@@ -74,8 +74,7 @@
     X(CODE_LIMIT_OUTPUTS,   713, "too many outputs")                                                          \
     /* warnings */                                                                                            \
     X(CODE_AMBIGUOUS_NAME,  901, "a name that means different things in different countries")                 \
-    X(CODE_REPEAT_NO_COUNT, 902, "a repeat of rows without a number")                                         \
-    X(CODE_UNUSED_PARAM,    903, "a param that nothing uses")
+    X(CODE_REPEAT_NO_COUNT, 902, "a repeat of rows without a number")
 
 enum diag_code {
 #define X(name, number, about) name = number,

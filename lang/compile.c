@@ -76,9 +76,12 @@ static void check_version(struct compilation *c)
         if (stmt->kind != STMT_VERSION)
             continue;
         if (stmt != eval->main->file)
-            diag_error(eval->diag, CODE_VERSION, stmt->span, "the language's version stands in the first line");
-        if (eval_number(eval, (struct where){eval->main, NULL}, stmt->version.number, 0, &version) && version != 1)
-            diag_error(eval->diag, CODE_VERSION, stmt->span, "this weft knows version 1 of the language, not %g", version);
+            diag_error(eval->diag, CODE_VERSION, stmt->span,
+                       "the language's version stands in the first line");
+        if (eval_number(eval, (struct where){eval->main, NULL}, stmt->version.number, 0, &version) &&
+            version != 1)
+            diag_error(eval->diag, CODE_VERSION, stmt->span,
+                       "this weft knows version 1 of the language, not %g", version);
     }
 }
 
@@ -109,7 +112,7 @@ static void override(struct compilation *c, const struct compile_override *given
         diag_hint(eval->diag, "keys are written with their block: solve.steps, material.thickness, K.kx");
 }
 
-static void set_parameters(struct compilation *c)
+static bool set_parameters(struct compilation *c)
 {
     const struct compile_options *options = c->options;
     struct eval *eval = &c->eval;
@@ -117,6 +120,10 @@ static void set_parameters(struct compilation *c)
     for (int i = 0; i < options->ndefines; i++)
         params_define(eval, &options->define[i]);
     params_evaluate(eval);
+
+    /* With a param out of its range the rest would only be misread. */
+    if (eval->diag->nerrors)
+        return false;
     stitches_evaluate(eval);
     for (int i = 0; i < options->nsets; i++)
         override(c, &options->set[i], true);
@@ -128,6 +135,7 @@ static void set_parameters(struct compilation *c)
             settings_block(eval, &c->settings, stmt);
     for (int i = 0; i < options->nsets; i++)
         override(c, &options->set[i], false);
+    return true;
 }
 
 /* ---- the fabric ---- */
@@ -160,8 +168,8 @@ static long long open_width(struct compilation *c, const struct body *body)
         return fit.plus;
     diag_error(diag, CODE_ROW_WIDTH, body->first, "how many stitches these rows are worked over is not said");
     if (fit.multiple > 1)
-        diag_hint(diag, "begin with `Cast on %lld sts`, or another multiple of %lld + %lld", 4 * fit.multiple + fit.plus,
-                  fit.multiple, fit.plus);
+        diag_hint(diag, "begin with `Cast on %lld sts`, or another multiple of %lld + %lld",
+                  4 * fit.multiple + fit.plus, fit.multiple, fit.plus);
     else
         diag_hint(diag, "begin with `Cast on 20 sts`");
     return 0;
@@ -225,10 +233,12 @@ static void make_fabric(struct compilation *c)
                             stmt->swatch.value->span);
     }
     if (!swatch && !rows.source && !eval->diag->nerrors) {
-        struct span end = {eval->main->source, (unsigned)eval->main->source->size, (unsigned)eval->main->source->size};
+        struct span end = {eval->main->source, (unsigned)eval->main->source->size,
+                           (unsigned)eval->main->source->size};
 
         diag_error(eval->diag, CODE_NO_SWATCH, end, "the script gives no fabric to fold");
-        diag_hint(eval->diag, "`swatch tile(motif, 4, 4)`, or rows: `Cast on 20 sts`, `Row 1: *k2, p2; rep from *`");
+        diag_hint(eval->diag,
+                  "`swatch tile(motif, 4, 4)`, or rows: `Cast on 20 sts`, `Row 1: *k2, p2; rep from *`");
     }
 }
 
@@ -314,7 +324,8 @@ static const struct scene *compile(struct compilation *c, const struct source *s
 {
     struct eval *eval = &c->eval;
     const char *slash = strrchr(source->name, '/');
-    const char *folder = slash ? arena_copy(eval->arena, source->name, (size_t)(slash - source->name) + 1) : "";
+    const char *folder =
+        slash ? arena_copy(eval->arena, source->name, (size_t)(slash - source->name) + 1) : "";
 
     find_folders(eval, c->options);
     eval->main = module_main(eval, source, folder);
@@ -323,8 +334,7 @@ static const struct scene *compile(struct compilation *c, const struct source *s
     if (eval->diag->nerrors)
         return NULL;
     check_version(c);
-    set_parameters(c);
-    if (eval->diag->nerrors)
+    if (!set_parameters(c))
         return NULL;
     make_fabric(c);
     check_unused(eval);

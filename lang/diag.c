@@ -36,7 +36,7 @@ static bool said_before(const struct diag *diag, enum diag_code code, struct spa
     return false;
 }
 
-enum { CONTEXTS = 4 };      /* are shown, the innermost */
+enum { CONTEXTS = 4 }; /* are shown, the innermost */
 
 /* Where the context stands now, as notes. */
 static const struct note *context_notes(struct diag *diag)
@@ -52,7 +52,8 @@ static const struct note *context_notes(struct diag *diag)
     return first;
 }
 
-static struct message *message_new(struct diag *diag, enum severity severity, enum diag_code code, struct span span)
+static struct message *message_new(struct diag *diag, enum severity severity, enum diag_code code,
+                                   struct span span)
 {
     struct message *m = arena_new(diag->arena, struct message);
 
@@ -93,7 +94,8 @@ void diag_warning(struct diag *diag, enum diag_code code, struct span span, cons
     va_list arguments;
 
     va_start(arguments, format);
-    record(diag, diag->warnings_are_errors ? SEVERITY_ERROR : SEVERITY_WARNING, code, span, format, arguments);
+    record(diag, diag->warnings_are_errors ? SEVERITY_ERROR : SEVERITY_WARNING, code, span, format,
+           arguments);
     va_end(arguments);
 }
 

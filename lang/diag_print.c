@@ -6,7 +6,7 @@
 #include "lang/diag.h"
 #include "lang/limits.h"
 
-enum { EXCERPT = 120, LEAD = 40 };      /* characters of a long line that are shown, and before the span */
+enum { EXCERPT = 120, LEAD = 40 }; /* characters of a long line that are shown, and before the span */
 
 static const char *const style_of[] = {"\033[1;31m", "\033[1;35m"};
 static const char *const word_of[] = {"error", "warning"};
@@ -55,8 +55,10 @@ static bool is_printable(const char *text, size_t length)
 
     if (length == 1)
         return c >= 0x20 && c < 0x7F;
-    return length == (c >= 0xF0 ? 4u : c >= 0xE0 ? 3u : 2u) && c >= 0xC2 && c < 0xF5 &&
-           !(c == 0xC2 && (unsigned char)text[1] < 0xA0);
+    return length == (c >= 0xF0   ? 4u
+                      : c >= 0xE0 ? 3u
+                                  : 2u) &&
+           c >= 0xC2 && c < 0xF5 && !(c == 0xC2 && (unsigned char)text[1] < 0xA0);
 }
 
 /* The line and below it the span underlined; a long line is cut to a window. */
@@ -215,15 +217,38 @@ static void json_message(FILE *out, const struct message *m)
     fputs("]}\n", out);
 }
 
+/* Messages about one text stand in its order, texts in the order they came up. */
+static bool comes_before(const struct message *a, const struct message *b)
+{
+    return a->span.source == b->span.source && a->span.start < b->span.start;
+}
+
+static int in_order(const struct diag *diag, const struct message *order[LIMIT_MESSAGES])
+{
+    int n = 0;
+
+    for (const struct message *m = diag->first; m; m = m->next) {
+        int at = n++;
+
+        for (int i = at - 1; i >= 0; i--)
+            if (comes_before(m, order[i]))
+                at = i;
+        memmove(order + at + 1, order + at, (size_t)(n - 1 - at) * sizeof *order);
+        order[at] = m;
+    }
+    return n;
+}
+
 void diag_print(const struct diag *diag, FILE *out, enum diag_style style, bool color)
 {
-    int shown = 0;
+    const struct message *order[LIMIT_MESSAGES];
+    int shown = in_order(diag, order);
 
-    for (const struct message *m = diag->first; m; m = m->next, shown++)
+    for (int i = 0; i < shown; i++)
         if (style == DIAG_JSON)
-            json_message(out, m);
+            json_message(out, order[i]);
         else
-            print_message(out, m, color);
+            print_message(out, order[i], color);
     if (style == DIAG_HUMAN && diag->nerrors + diag->nwarnings > shown)
         fprintf(out, "%d more not shown\n", diag->nerrors + diag->nwarnings - shown);
 }

@@ -12,8 +12,8 @@ static const struct value bad = {.kind = VALUE_BAD};
 
 const char *value_type(struct value value)
 {
-    static const char *const type[] = {"nothing", "a number", "a text", "a stitch", "a list",
-                                       "a fabric", "a motif", "a motif that wants arguments"};
+    static const char *const type[] = {"nothing", "a number", "a text",  "a stitch",
+                                       "a list",  "a fabric", "a motif", "a motif that wants arguments"};
 
     return type[value.kind];
 }
@@ -59,17 +59,19 @@ struct value eval_binding(struct eval *eval, struct binding *binding, struct spa
     if (!binding)
         return bad;
     if (binding->kind == BINDING_SPACE) {
-        diag_error(eval->diag, CODE_TYPE, used, "'%s' is a file; its motifs are written '%s.NAME'", binding->name,
-                   binding->name);
+        diag_error(eval->diag, CODE_TYPE, used, "'%s' is a file; its motifs are written '%s.NAME'",
+                   binding->name, binding->name);
         return bad;
     }
     if (binding->state == DOING) {
-        diag_error(eval->diag, CODE_CYCLE, binding->span, "'%s' needs itself to be worked out", binding->name);
+        diag_error(eval->diag, CODE_CYCLE, binding->span, "'%s' needs itself to be worked out",
+                   binding->name);
         return bad;
     }
     if (binding->state == TO_DO) {
         if (eval->calls >= LIMIT_CALLS) {
-            diag_error(eval->diag, CODE_LIMIT_CALLS, used, "definitions use each other more than %d deep", LIMIT_CALLS);
+            diag_error(eval->diag, CODE_LIMIT_CALLS, used, "definitions use each other more than %d deep",
+                       LIMIT_CALLS);
             return bad;
         }
         binding->state = DOING;
@@ -121,7 +123,8 @@ static struct value member_value(struct eval *eval, struct where where, const st
 
 /* ---- arithmetic ---- */
 
-static const char *const operator_text[] = {"+", "-", "*", "/", "mod", "<", ">", "<=", ">=", "==", "!=", "&&", "||", "-", "!"};
+static const char *const operator_text[] = {
+    "+", "-", "*", "/", "mod", "<", ">", "<=", ">=", "==", "!=", "&&", "||", "-", "!"};
 
 static bool want_number(struct eval *eval, struct value value, struct span span, const char *what)
 {
@@ -165,7 +168,8 @@ static struct value divide(struct eval *eval, const struct expr *e, struct value
     }
     if (e->operation.op == OP_DIVIDE)
         return if_finite(eval, e, a.number / b.number, a.dimension - b.dimension);
-    return same_dimension(eval, e, a, b) ? if_finite(eval, e, floor_mod(a.number, b.number), a.dimension) : bad;
+    return same_dimension(eval, e, a, b) ? if_finite(eval, e, floor_mod(a.number, b.number), a.dimension)
+                                         : bad;
 }
 
 static struct value arithmetic(struct eval *eval, const struct expr *e, struct value a, struct value b)
@@ -212,7 +216,8 @@ static struct value equality(struct eval *eval, const struct expr *e, struct val
     } else if (a.kind == VALUE_STITCH && b.kind == VALUE_STITCH) {
         equal = a.stitch == b.stitch;
     } else {
-        diag_error(eval->diag, CODE_TYPE, e->span, "%s cannot be compared with %s", value_type(a), value_type(b));
+        diag_error(eval->diag, CODE_TYPE, e->span, "%s cannot be compared with %s", value_type(a),
+                   value_type(b));
         return bad;
     }
     return value_number(equal == (e->operation.op == OP_EQUAL), 0);
@@ -353,8 +358,8 @@ static bool cell_value(struct eval *eval, struct where where, const struct expr 
         return true;
     }
     if (value.kind != VALUE_BAD)
-        diag_error(eval->diag, CODE_TYPE, e->span, "a formula gives a stitch (K, P or one of yours), this is %s",
-                   value_type(value));
+        diag_error(eval->diag, CODE_TYPE, e->span,
+                   "a formula gives a stitch (K, P or one of yours), this is %s", value_type(value));
     return false;
 }
 
@@ -426,7 +431,8 @@ struct value eval_expr(struct eval *eval, struct where where, const struct expr 
     if (!eval_step(eval, e->span))
         return bad;
     if (eval->depth >= LIMIT_EVALUATION) {
-        diag_error(eval->diag, CODE_LIMIT_CALLS, e->span, "expressions and definitions use each other too deep");
+        diag_error(eval->diag, CODE_LIMIT_CALLS, e->span,
+                   "expressions and definitions use each other too deep");
         return bad;
     }
     eval->depth++;
@@ -444,7 +450,8 @@ bool eval_number(struct eval *eval, struct where where, const struct expr *e, in
     if (!want_number(eval, value, e->span, "this place"))
         return false;
     if (value.dimension && value.dimension != dimension) {
-        diag_error(eval->diag, CODE_UNIT, e->span, dimension ? "this has the wrong unit" : "this number takes no unit");
+        diag_error(eval->diag, CODE_UNIT, e->span,
+                   dimension ? "this has the wrong unit" : "this number takes no unit");
         return false;
     }
     *number = value.number;
@@ -463,7 +470,8 @@ bool eval_whole(struct eval *eval, struct where where, const struct expr *e, lon
         return false;
     }
     if (value < (double)low || value > (double)high) {
-        diag_error(eval->diag, CODE_RANGE, e->span, "%s is %.15g; it must lie in %lld..%lld", what, value, low, high);
+        diag_error(eval->diag, CODE_RANGE, e->span, "%s is %.15g; it must lie in %lld..%lld", what, value,
+                   low, high);
         return false;
     }
     *number = (long long)value;
@@ -478,8 +486,8 @@ static bool list_points(struct eval *eval, struct where where, const struct expr
     if (value.kind == VALUE_BAD)
         return false;
     if (value.kind != VALUE_LIST) {
-        diag_error(eval->diag, CODE_TYPE, e->span, "this must be a range (1..4) or a list ([1, 2, 4]), not %s",
-                   value_type(value));
+        diag_error(eval->diag, CODE_TYPE, e->span,
+                   "this must be a range (1..4) or a list ([1, 2, 4]), not %s", value_type(value));
         return false;
     }
     *n = value.list->n;

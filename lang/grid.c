@@ -65,7 +65,8 @@ struct grid *grid_tile(struct arena *arena, const struct grid *g, int columns, i
     return tiled;
 }
 
-struct grid *grid_window(struct arena *arena, const struct grid *g, long long x, long long y, int columns, int rows)
+struct grid *grid_window(struct arena *arena, const struct grid *g, long long x, long long y, int columns,
+                         int rows)
 {
     stitch_id *cell;
     struct grid *window = grid_new(arena, columns, rows, &cell);

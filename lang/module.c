@@ -52,8 +52,8 @@ void module_unknown(struct eval *eval, struct where where, const char *name, str
         diag_did_you_mean(eval->diag, nearest.best);
 }
 
-static struct binding *declare(struct eval *eval, struct module *module, enum binding_kind kind, const char *name,
-                               struct span span)
+static struct binding *declare(struct eval *eval, struct module *module, enum binding_kind kind,
+                               const char *name, struct span span)
 {
     struct binding *binding = module_find(module, name);
     unsigned bucket = bucket_of(name);
@@ -68,7 +68,8 @@ static struct binding *declare(struct eval *eval, struct module *module, enum bi
     if (module->nnames++ >= LIMIT_NAMES)
         return NULL;
     binding = arena_new(eval->arena, struct binding);
-    *binding = (struct binding){.name = name, .kind = kind, .span = span, .module = module, .low = 1, .high = 0};
+    *binding =
+        (struct binding){.name = name, .kind = kind, .span = span, .module = module, .low = 1, .high = 0};
     binding->next = module->bucket[bucket];
     module->bucket[bucket] = binding;
     if (module->last)
@@ -132,13 +133,14 @@ static void not_found(struct eval *eval, const struct stmt *stmt, const struct m
     diag_error(eval->diag, CODE_USE, stmt->use.file_span, "there is no file '%s'", stmt->use.file);
     if (!module->folder)
         return;
-    diag_note(eval->diag, (struct span){0}, "looked in %s%s", *module->folder ? module->folder : "this folder",
+    diag_note(eval->diag, (struct span){0}, "looked in %s%s",
+              *module->folder ? module->folder : "this folder",
               eval->nincludes ? ", and in the folders of -I and WEFT_PATH" : "");
 }
 
 /* Errors in a used file point at the `use`, too. */
-static struct module *load_for(struct eval *eval, struct span used, const struct source *source, const char *folder,
-                               const char *key)
+static struct module *load_for(struct eval *eval, struct span used, const struct source *source,
+                               const char *folder, const char *key)
 {
     struct context context = {used, "in a file used here", eval->diag->context};
     struct module *module;
@@ -167,8 +169,8 @@ static struct module *used_module(struct eval *eval, struct module *user, const 
         return load_for(eval, stmt->span, source, folder_of(eval->arena, path), key);
     if (!module->loading)
         return module;
-    diag_error(eval->diag, CODE_USE_CYCLE, stmt->use.file_span, "'%s' is being read already: files use each other in a circle",
-               stmt->use.file);
+    diag_error(eval->diag, CODE_USE_CYCLE, stmt->use.file_span,
+               "'%s' is being read already: files use each other in a circle", stmt->use.file);
     return NULL;
 }
 
@@ -186,7 +188,8 @@ static struct module *library_module(struct eval *eval, const char *name, struct
     return module ? module : load_for(eval, used, source, NULL, key);
 }
 
-static void unknown_motif(struct eval *eval, const struct name_at *name, const struct module *module, const char *file)
+static void unknown_motif(struct eval *eval, const struct name_at *name, const struct module *module,
+                          const char *file)
 {
     struct nearest nearest = nearest_to(name->name);
 
@@ -204,8 +207,9 @@ static void warn_ambiguous(struct eval *eval, const struct name_at *name)
 {
     if (strcmp(name->name, "moss") != 0)
         return;
-    diag_warning(eval->diag, CODE_AMBIGUOUS_NAME, name->span,
-                 "'moss' is two patterns: in Britain what others call seed, in America a pattern of four rows");
+    diag_warning(
+        eval->diag, CODE_AMBIGUOUS_NAME, name->span,
+        "'moss' is two patterns: in Britain what others call seed, in America a pattern of four rows");
     diag_hint(eval->diag, "taken as 'seed' (British moss); the American one is 'moss_us'");
 }
 
@@ -260,12 +264,14 @@ static void use(struct eval *eval, struct module *module, const struct stmt *stm
     const char *library = stmt->use.file;
 
     if (stmt->use.std && strcmp(library, "std") != 0) {
-        diag_error(eval->diag, CODE_USE, stmt->use.file_span, "'%s' is no library; the built-in one is 'std'", library);
+        diag_error(eval->diag, CODE_USE, stmt->use.file_span, "'%s' is no library; the built-in one is 'std'",
+                   library);
         diag_hint(eval->diag, "a file's name stands in quotes: `from \"%s.knit\"`", library);
         return;
     }
     if (eval->include_depth >= LIMIT_INCLUDES) {
-        diag_error(eval->diag, CODE_LIMIT_INCLUDES, stmt->span, "files use each other more than %d deep", LIMIT_INCLUDES);
+        diag_error(eval->diag, CODE_LIMIT_INCLUDES, stmt->span, "files use each other more than %d deep",
+                   LIMIT_INCLUDES);
         return;
     }
     eval->include_depth++;
@@ -283,7 +289,10 @@ static void declare_names(struct eval *eval, struct module *module)
     static const struct {
         enum stmt_kind stmt;
         enum binding_kind binding;
-    } kinds[] = {{STMT_LET, BINDING_LET}, {STMT_PARAM, BINDING_PARAM}, {STMT_MOTIF, BINDING_MOTIF}, {STMT_STITCH, BINDING_STITCH}};
+    } kinds[] = {{STMT_LET, BINDING_LET},
+                 {STMT_PARAM, BINDING_PARAM},
+                 {STMT_MOTIF, BINDING_MOTIF},
+                 {STMT_STITCH, BINDING_STITCH}};
 
     for (const struct stmt *stmt = module->file; stmt; stmt = stmt->next) {
         if (stmt->kind == STMT_USE)
@@ -304,11 +313,13 @@ static void declare_names(struct eval *eval, struct module *module)
     }
 }
 
-static struct module *module_load(struct eval *eval, const struct source *source, const char *folder, const char *key)
+static struct module *module_load(struct eval *eval, const struct source *source, const char *folder,
+                                  const char *key)
 {
     struct module *module = arena_new(eval->arena, struct module);
 
-    *module = (struct module){.source = source, .folder = folder, .key = key, .loading = true, .next = eval->module};
+    *module = (struct module){
+        .source = source, .folder = folder, .key = key, .loading = true, .next = eval->module};
     eval->module = module;
     if (!eval->main)
         eval->main = module;

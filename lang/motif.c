@@ -8,19 +8,20 @@
 bool fabric_size(struct eval *eval, struct span span, long long columns, long long rows)
 {
     if (rows > LIMIT_ROWS) {
-        diag_error(eval->diag, CODE_LIMIT_ROWS, span, "this makes %lld rows; the limit is %d", rows, LIMIT_ROWS);
+        diag_error(eval->diag, CODE_LIMIT_ROWS, span, "this makes %lld rows; the limit is %d", rows,
+                   LIMIT_ROWS);
         return false;
     }
     if (columns > LIMIT_STITCHES / rows) {
-        diag_error(eval->diag, CODE_LIMIT_STITCHES, span, "this makes %lld x %lld stitches; the limit is %d in all", columns,
-                   rows, LIMIT_STITCHES);
+        diag_error(eval->diag, CODE_LIMIT_STITCHES, span,
+                   "this makes %lld x %lld stitches; the limit is %d in all", columns, rows, LIMIT_STITCHES);
         return false;
     }
     eval->cells += columns * rows;
     if (eval->cells <= LIMIT_ALL_STITCHES)
         return true;
-    diag_error(eval->diag, CODE_LIMIT_STITCHES, span, "all fabrics on the way here have more than %d stitches",
-               LIMIT_ALL_STITCHES);
+    diag_error(eval->diag, CODE_LIMIT_STITCHES, span,
+               "all fabrics on the way here have more than %d stitches", LIMIT_ALL_STITCHES);
     return false;
 }
 
@@ -66,9 +67,11 @@ static bool check_arguments(struct eval *eval, const struct binding *binding, co
         if (known)
             continue;
         if (a->name)
-            diag_error(eval->diag, CODE_ARGUMENTS, a->span, "'%s' has no argument '%s'", binding->name, a->name);
+            diag_error(eval->diag, CODE_ARGUMENTS, a->span, "'%s' has no argument '%s'", binding->name,
+                       a->name);
         else
-            diag_error(eval->diag, CODE_ARGUMENTS, a->span, "'%s' takes %d arguments", binding->name, nformals);
+            diag_error(eval->diag, CODE_ARGUMENTS, a->span, "'%s' takes %d argument%s", binding->name,
+                       nformals, nformals == 1 ? "" : "s");
         if (a->name)
             diag_did_you_mean(eval->diag, nearest.best);
         diag_note(eval->diag, binding->span, "it is defined here");
@@ -93,7 +96,8 @@ static bool bind_arguments(struct eval *eval, const struct binding *binding, str
         if (argument && !argument->name)
             i++;
         if (!argument && !formal->value) {
-            diag_error(eval->diag, CODE_ARGUMENTS, call->span, "'%s' needs its argument '%s'", binding->name, formal->name);
+            diag_error(eval->diag, CODE_ARGUMENTS, call->span, "'%s' needs its argument '%s'", binding->name,
+                       formal->name);
             diag_note(eval->diag, formal->span, "here");
             return false;
         }
@@ -113,7 +117,8 @@ static bool explicit_multiple(struct eval *eval, struct motif *m)
 
     m->plus = 0;
     return eval_whole(eval, m->where, multiple->of, 1, LIMIT_STITCHES, "the multiple", &m->multiple) &&
-           (!multiple->plus || eval_whole(eval, m->where, multiple->plus, 0, LIMIT_STITCHES, "the stitches added", &m->plus));
+           (!multiple->plus ||
+            eval_whole(eval, m->where, multiple->plus, 0, LIMIT_STITCHES, "the stitches added", &m->plus));
 }
 
 static bool prepare_rows(struct eval *eval, struct motif *m)
@@ -127,7 +132,7 @@ static bool prepare_rows(struct eval *eval, struct motif *m)
         return false;
     }
     if (m->stmt->motif.multiple.of)
-        return explicit_multiple(eval, m);      /* what it says is checked when it is worked */
+        return explicit_multiple(eval, m); /* what it says is checked when it is worked */
     if (!rows_fit(m->rows, &fit) || !rows_good(m->rows))
         return false;
 
@@ -151,13 +156,16 @@ static bool one_repeat(struct eval *eval, struct motif *m)
     for (int y = 0; y < m->grid->rows; y++)
         for (int x = m->box; x + period < all - (int)m->plus + m->box; x++)
             if (grid_at(m->grid, x, y) != grid_at(m->grid, x + period, y)) {
-                diag_error(eval->diag, CODE_MULTIPLE, m->span, "'%s' does not repeat after %d stitches", m->name, period);
-                diag_note(eval->diag, (struct span){0}, "in its row %d, stitches %d and %d from the left differ", y + 1, x + 1,
+                diag_error(eval->diag, CODE_MULTIPLE, m->span, "'%s' does not repeat after %d stitches",
+                           m->name, period);
+                diag_note(eval->diag, (struct span){0},
+                          "in its row %d, stitches %d and %d from the left differ", y + 1, x + 1,
                           x + period + 1);
                 return false;
             }
     if (all > keep) {
-        const struct grid *part[2] = {grid_window(eval->arena, m->grid, 0, 0, m->box + period, m->grid->rows), NULL};
+        const struct grid *part[2] = {grid_window(eval->arena, m->grid, 0, 0, m->box + period, m->grid->rows),
+                                      NULL};
         int behind = keep - m->box - period;
 
         if (behind)
@@ -179,13 +187,13 @@ static bool prepare_grid(struct eval *eval, struct motif *m, int box_width)
     if (!explicit_multiple(eval, m))
         return false;
     if (columns < m->multiple + m->plus || (columns - m->plus) % m->multiple) {
-        diag_error(eval->diag, CODE_MULTIPLE, m->span, "'%s' is %d stitches wide, no multiple of %lld + %lld", m->name, columns,
-                   m->multiple, m->plus);
+        diag_error(eval->diag, CODE_MULTIPLE, m->span, "'%s' is %d stitches wide, no multiple of %lld + %lld",
+                   m->name, columns, m->multiple, m->plus);
         return false;
     }
     if (box_width && box_width != m->multiple) {
-        diag_error(eval->diag, CODE_MULTIPLE, m->span, "the chart marks a repeat of %d stitches, the multiple is %lld",
-                   box_width, m->multiple);
+        diag_error(eval->diag, CODE_MULTIPLE, m->span,
+                   "the chart marks a repeat of %d stitches, the multiple is %lld", box_width, m->multiple);
         return false;
     }
 
@@ -193,8 +201,8 @@ static bool prepare_grid(struct eval *eval, struct motif *m, int box_width)
     for (int y = 0; y < m->grid->rows && !box_width; y++)
         for (int x = 0; x < m->plus; x++)
             if (grid_at(m->grid, x, y) != grid_at(m->grid, x + columns - (int)m->plus, y)) {
-                diag_error(eval->diag, CODE_MULTIPLE, m->span, "where the repeat of '%s' stands is open: its edges differ",
-                           m->name);
+                diag_error(eval->diag, CODE_MULTIPLE, m->span,
+                           "where the repeat of '%s' stands is open: its edges differ", m->name);
                 diag_hint(eval->diag, "mark the repeat in the chart: `o | x x x | o`");
                 return false;
             }
@@ -231,8 +239,8 @@ static struct value expression_motif(struct eval *eval, struct motif *m)
     return (struct value){.kind = VALUE_MOTIF, .motif = m};
 }
 
-struct value motif_make(struct eval *eval, struct binding *binding, struct where caller, const struct expr *call,
-                        struct span used)
+struct value motif_make(struct eval *eval, struct binding *binding, struct where caller,
+                        const struct expr *call, struct span used)
 {
     struct value value = {.kind = VALUE_BAD};
     struct motif *m;
@@ -240,7 +248,8 @@ struct value motif_make(struct eval *eval, struct binding *binding, struct where
 
     eval->steps += 50;
     if (eval->calls >= LIMIT_CALLS) {
-        diag_error(eval->diag, CODE_LIMIT_CALLS, used, "motifs use each other more than %d deep", LIMIT_CALLS);
+        diag_error(eval->diag, CODE_LIMIT_CALLS, used, "motifs use each other more than %d deep",
+                   LIMIT_CALLS);
         return value;
     }
     m = arena_new(eval->arena, struct motif);
@@ -272,12 +281,14 @@ static const struct grid *grid_of_rows(struct eval *eval, struct motif *m, long 
 
     if (m->used.source)
         eval->diag->context = &context;
-    grid = rows_grid(m->rows, (int)width, (int)height, m->stmt->motif.multiple.of ? WIDTH_MULTIPLE : WIDTH_ROWS, eval->ws);
+    grid = rows_grid(m->rows, (int)width, (int)height,
+                     m->stmt->motif.multiple.of ? WIDTH_MULTIPLE : WIDTH_ROWS, eval->ws);
     eval->diag->context = context.up;
     return grid;
 }
 
-const struct grid *motif_grid(struct eval *eval, struct motif *m, long long width, long long height, struct span span)
+const struct grid *motif_grid(struct eval *eval, struct motif *m, long long width, long long height,
+                              struct span span)
 {
     long long rows = height ? height : motif_rows(m);
     const struct grid *grid;
@@ -288,7 +299,8 @@ const struct grid *motif_grid(struct eval *eval, struct motif *m, long long widt
         return grid_of_rows(eval, m, width, rows);
     grid = m->grid;
     if (width != grid->columns)
-        grid = grid_stretch(eval->arena, grid, m->box, (int)m->multiple, (int)((width - m->plus) / m->multiple));
+        grid =
+            grid_stretch(eval->arena, grid, m->box, (int)m->multiple, (int)((width - m->plus) / m->multiple));
     return rows == grid->rows ? grid : grid_window(eval->arena, grid, 0, 0, (int)width, (int)rows);
 }
 
@@ -306,7 +318,8 @@ const struct grid *fabric_of(struct eval *eval, struct value value, struct span 
         return fabric_size(eval, span, 1, 1) ? grid_constant(eval->arena, 1, 1, value.stitch) : NULL;
     case VALUE_MOTIF:
         if (!value.motif->natural)
-            value.motif->natural = motif_grid(eval, value.motif, value.motif->multiple + value.motif->plus, 0, span);
+            value.motif->natural =
+                motif_grid(eval, value.motif, value.motif->multiple + value.motif->plus, 0, span);
         return value.motif->natural;
     case VALUE_MAKER:
         diag_error(eval->diag, CODE_ARGUMENTS, span, "'%s' needs its arguments", value.maker->name);
@@ -315,7 +328,8 @@ const struct grid *fabric_of(struct eval *eval, struct value value, struct span 
     case VALUE_BAD:
         return NULL;
     default:
-        diag_error(eval->diag, CODE_TYPE, span, "a fabric or a motif is needed here, this is %s", value_type(value));
+        diag_error(eval->diag, CODE_TYPE, span, "a fabric or a motif is needed here, this is %s",
+                   value_type(value));
         return NULL;
     }
 }

@@ -4,6 +4,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include <strings.h>
 
 struct name_entry {
     struct name_entry *next;
@@ -36,7 +37,7 @@ const char *names_intern(struct names *names, const char *text, size_t length)
     return entry->text;
 }
 
-enum { LONGEST = 40 };      /* longer words are compared no further */
+enum { LONGEST = 40 }; /* longer words are compared no further */
 
 static int least(int a, int b, int c)
 {
@@ -83,7 +84,12 @@ struct nearest nearest_to(const char *word)
 
 void nearest_offer(struct nearest *nearest, const char *candidate)
 {
+    size_t length = strnlen(nearest->word, LONGEST);
     int d = distance(nearest->word, candidate);
+
+    /* The beginning of a longer name is near. */
+    if (length > 2 && strncasecmp(nearest->word, candidate, length) == 0 && d > 1)
+        d = 1;
 
     if (d < nearest->distance && d < (int)strnlen(candidate, LONGEST)) {
         nearest->distance = d;

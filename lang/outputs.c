@@ -35,9 +35,10 @@ static const struct {
     const char *extension;
     enum output_kind kind;
 } by_extension[] = {
-    {"json", OUTPUT_REPORT}, {"txt", OUTPUT_CHART}, {"k", OUTPUT_CHART},  {"csv", OUTPUT_TABLE}, {"svg", OUTPUT_PICTURE},
-    {"png", OUTPUT_PICTURE}, {"pdf", OUTPUT_PICTURE}, {"pvd", OUTPUT_PVD}, {"vtp", OUTPUT_VTP},  {"obj", OUTPUT_OBJ},
-    {"ply", OUTPUT_PLY},     {"stl", OUTPUT_STL},     {"glb", OUTPUT_GLB}, {"html", OUTPUT_HTML},
+    {"json", OUTPUT_REPORT}, {"txt", OUTPUT_CHART},   {"k", OUTPUT_CHART},     {"csv", OUTPUT_TABLE},
+    {"svg", OUTPUT_PICTURE}, {"png", OUTPUT_PICTURE}, {"pdf", OUTPUT_PICTURE}, {"pvd", OUTPUT_PVD},
+    {"vtp", OUTPUT_VTP},     {"obj", OUTPUT_OBJ},     {"ply", OUTPUT_PLY},     {"stl", OUTPUT_STL},
+    {"glb", OUTPUT_GLB},     {"html", OUTPUT_HTML},
 };
 
 const char *output_kind_name(enum output_kind kind)
@@ -75,7 +76,8 @@ static bool kind_of_extension(struct eval *eval, struct span span, const char *p
         diag_error(eval->diag, CODE_OUTPUT, span, "'.%s' is no kind of output", extension);
     else
         diag_error(eval->diag, CODE_OUTPUT, span, "'%s' has no extension that says what it is", path);
-    diag_hint(eval->diag, "surfaces: .pvd .vtp .obj .ply .stl .glb; others: .json .csv .txt .svg .png .pdf .html");
+    diag_hint(eval->diag,
+              "surfaces: .pvd .vtp .obj .ply .stl .glb; others: .json .csv .txt .svg .png .pdf .html");
     return false;
 }
 
@@ -94,7 +96,8 @@ static bool fits_extension(struct eval *eval, enum output_kind kind, struct span
 {
     const char *extension = extension_of(path), *list = "";
 
-    for (size_t i = 0; i < sizeof kinds->extension / sizeof *kinds->extension && kinds[kind].extension[i]; i++) {
+    for (size_t i = 0; i < sizeof kinds->extension / sizeof *kinds->extension && kinds[kind].extension[i];
+         i++) {
         if (strcasecmp(kinds[kind].extension[i], extension) == 0)
             return true;
         list = arena_printf(eval->arena, "%s%s.%s", list, i ? ", " : "", kinds[kind].extension[i]);
@@ -219,7 +222,8 @@ void outputs_statement(struct eval *eval, struct outputs *outputs, const struct 
 {
     struct span span = stmt->output.path_span;
     const char *kind = stmt->output.kind.name;
-    struct output output = {.line = diag_place(stmt->span).line, .path = fill_in(eval, stmt->output.path, span)};
+    struct output output = {.line = diag_place(stmt->span).line,
+                            .path = fill_in(eval, stmt->output.path, span)};
 
     if (!output.path)
         return;
@@ -245,7 +249,8 @@ void outputs_option(struct eval *eval, struct outputs *outputs, const struct sou
     if (colon && length && colon == text + length) {
         output.path = colon + 1;
         if (!kind_of_name(arena_copy(eval->arena, text, length), &output.kind)) {
-            unknown_kind(eval, (struct span){source, 0, (unsigned)length}, arena_copy(eval->arena, text, length));
+            unknown_kind(eval, (struct span){source, 0, (unsigned)length},
+                         arena_copy(eval->arena, text, length));
             return;
         }
         if (!fits_extension(eval, output.kind, span, output.path))

@@ -17,7 +17,8 @@ const struct option_value *option_parse(struct eval *eval, const struct compile_
 
     option->source = (struct source){"command line", text, strlen(text), true};
     option->name = (struct span){&option->source, 0, (unsigned)length};
-    option->value = parse_expression(eval->arena, eval->diag, eval->names, &option->source, (unsigned)length + 1);
+    option->value =
+        parse_expression(eval->arena, eval->diag, eval->names, &option->source, (unsigned)length + 1);
     return option;
 }
 
@@ -79,20 +80,22 @@ static void check_range(struct eval *eval, struct binding *b)
     if (!range->high || value.kind == VALUE_BAD)
         return;
     if (value.kind != VALUE_NUMBER) {
-        diag_error(eval->diag, CODE_TYPE, range->span, "only a number has a range, '%s' is %s", b->name, value_type(value));
+        diag_error(eval->diag, CODE_TYPE, range->span, "only a number has a range, '%s' is %s", b->name,
+                   value_type(value));
         return;
     }
     if (!eval_number(eval, where, range->low, value.dimension, &b->low) ||
         !eval_number(eval, where, range->high, value.dimension, &b->high))
         return;
     if (b->low > b->high) {
-        diag_error(eval->diag, CODE_RANGE, range->span, "this range is empty: %g is more than %g", b->low, b->high);
+        diag_error(eval->diag, CODE_RANGE, range->span, "this range is empty: %g is more than %g", b->low,
+                   b->high);
         return;
     }
     if (value.number >= b->low && value.number <= b->high)
         return;
-    diag_error(eval->diag, CODE_RANGE, span, "%s = %.15g is out of range: from %g to %g", b->name, value.number, b->low,
-               b->high);
+    diag_error(eval->diag, CODE_RANGE, span, "%s = %.15g is out of range: from %g to %g", b->name,
+               value.number, b->low, b->high);
     if (b->from == FROM_COMMAND_LINE)
         diag_note(eval->diag, range->span, "the range of '%s'", b->name);
 }
@@ -105,7 +108,8 @@ static void check_type(struct eval *eval, struct binding *b)
     if (value.kind == VALUE_BAD)
         return;
     if (value.kind != VALUE_NUMBER && value.kind != VALUE_STRING) {
-        diag_error(eval->diag, CODE_TYPE, b->from == FROM_COMMAND_LINE ? b->given : b->stmt->param.value->span,
+        diag_error(eval->diag, CODE_TYPE,
+                   b->from == FROM_COMMAND_LINE ? b->given : b->stmt->param.value->span,
                    "a param is a number or a text, not %s", value_type(value));
         b->value.kind = VALUE_BAD;
         return;
@@ -115,7 +119,8 @@ static void check_type(struct eval *eval, struct binding *b)
     otherwise = eval_expr(eval, (struct where){b->module, NULL}, b->stmt->param.value);
     if (otherwise.kind == VALUE_BAD || otherwise.kind == value.kind)
         return;
-    diag_error(eval->diag, CODE_TYPE, b->given, "'%s' is %s, not %s", b->name, value_type(otherwise), value_type(value));
+    diag_error(eval->diag, CODE_TYPE, b->given, "'%s' is %s, not %s", b->name, value_type(otherwise),
+               value_type(value));
     b->value.kind = VALUE_BAD;
 }
 
@@ -174,8 +179,8 @@ static bool read_axis(struct eval *eval, const struct axis *axis, struct sweep_a
     }
     if (b->value.kind != VALUE_NUMBER) {
         if (b->value.kind != VALUE_BAD)
-            diag_error(eval->diag, CODE_SWEEP, axis->param.span, "only a number can be swept, '%s' is %s", b->name,
-                       value_type(b->value));
+            diag_error(eval->diag, CODE_SWEEP, axis->param.span, "only a number can be swept, '%s' is %s",
+                       b->name, value_type(b->value));
         return false;
     }
     if (!eval_range(eval, (struct where){eval->main, NULL}, &axis->range, &point, &to->npoints))
@@ -186,8 +191,9 @@ static bool read_axis(struct eval *eval, const struct axis *axis, struct sweep_a
     }
     for (int i = 0; i < to->npoints && b->low <= b->high; i++)
         if (point[i] < b->low || point[i] > b->high) {
-            diag_error(eval->diag, CODE_RANGE, axis->range.span, "the sweep takes '%s' to %g, out of its range %g..%g",
-                       b->name, point[i], b->low, b->high);
+            diag_error(eval->diag, CODE_RANGE, axis->range.span,
+                       "the sweep takes '%s' to %g, out of its range %g..%g", b->name, point[i], b->low,
+                       b->high);
             diag_note(eval->diag, b->span, "its range is given here");
             return false;
         }

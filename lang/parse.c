@@ -79,7 +79,8 @@ static bool is_too_long(struct diag *diag, const struct source *source)
     size_t start = 0;
 
     if (source->size > LIMIT_FILE) {
-        diag_error(diag, CODE_LIMIT_FILE, (struct span){source, 0, 0}, "the file is longer than %d bytes", LIMIT_FILE);
+        diag_error(diag, CODE_LIMIT_FILE, (struct span){source, 0, 0}, "the file is longer than %d bytes",
+                   LIMIT_FILE);
         return true;
     }
     for (size_t i = 0; i <= source->size; i++) {
@@ -109,7 +110,8 @@ static bool is_script(struct diag *diag, const struct source *source, const char
     return !is_other_format(diag, source, first) && !is_stitch_grid(diag, source, first);
 }
 
-struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
+struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names,
+                        const struct source *source)
 {
     struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
     struct scanner scanner = {.parse = &parse, .start = TOKEN_START_FILE};
@@ -124,8 +126,8 @@ struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *na
     return parse.file;
 }
 
-struct expr *parse_expression(struct arena *arena, struct diag *diag, struct names *names, const struct source *source,
-                              unsigned start)
+struct expr *parse_expression(struct arena *arena, struct diag *diag, struct names *names,
+                              const struct source *source, unsigned start)
 {
     struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
     struct scanner scanner = {.parse = &parse, .at = start, .start = TOKEN_START_EXPRESSION};

@@ -8,7 +8,7 @@
 
 #include "lang/limits.h"
 
-static const long long many = 1LL << 40;    /* lengths stop growing here */
+static const long long many = 1LL << 40; /* lengths stop growing here */
 
 static long long least(long long a, long long b)
 {
@@ -34,7 +34,8 @@ bool work_measure(struct diag *diag, struct work *work, long long *length)
             return false;
         for (const struct work *part = work->child; part; part = part->next)
             if (part->until != WORK_TIMES) {
-                diag_error(diag, CODE_ROW_REPEAT, part->span, "inside a repeat the number of times must be given");
+                diag_error(diag, CODE_ROW_REPEAT, part->span,
+                           "inside a repeat the number of times must be given");
                 return false;
             }
         if (work->length < 1) {
@@ -45,6 +46,11 @@ bool work_measure(struct diag *diag, struct work *work, long long *length)
             *length = least(many, *length + fixed_length(work));
     }
     return true;
+}
+
+static const char *stitches(struct arena *arena, long long n)
+{
+    return arena_printf(arena, n == 1 ? "%lld stitch" : "%lld stitches", n);
 }
 
 /* ---- which widths fit ---- */
@@ -129,10 +135,11 @@ static void two_readings(struct diag *diag, const struct row_text *row, const st
     for (const struct work *w = row->work; w; w = w->next)
         fixed += w == work ? 0 : fixed_length(w);
     diag_error(diag, CODE_ROW_REPEAT, work->span, "`rep from * %lld times` can be read in two ways", work->n);
-    diag_note(diag, (struct span){0}, "%lld times in all makes %lld stitches, %lld times more makes %lld", work->n,
-              fixed + times(work->length, work->n), work->n, fixed + times(work->length, work->n + 1));
-    diag_hint(diag, "write `rep from * %lld more times`, or `[..] %lld times`, or say how many are cast on", work->n,
-              work->n);
+    diag_note(diag, (struct span){0}, "%lld times in all makes %lld stitches, %lld times more makes %lld",
+              work->n, fixed + times(work->length, work->n), work->n,
+              fixed + times(work->length, work->n + 1));
+    diag_hint(diag, "write `rep from * %lld more times`, or `[..] %lld times`, or say how many are cast on",
+              work->n, work->n);
 }
 
 /* Moves over work that reaches to `left` stitches before the end. */
@@ -145,8 +152,9 @@ static bool fit_open(struct diag *diag, const struct work *work, struct progress
         return false;
     if (progress->from_end) {
         if (progress->left < left || (progress->left - left) % work->length) {
-            diag_error(diag, CODE_ROW_FIT, work->span, "a repeat of %lld cannot fill the %lld stitches left here",
-                       work->length, progress->left - left);
+            diag_error(diag, CODE_ROW_FIT, work->span,
+                       "a repeat of %lld cannot fill the %lld stitches left here", work->length,
+                       progress->left - left);
             return false;
         }
         progress->left = left;
@@ -162,7 +170,8 @@ static bool fit_open(struct diag *diag, const struct work *work, struct progress
     return true;
 }
 
-static bool fit_end(struct diag *diag, const struct row_text *row, const struct progress *progress, struct fit *fit)
+static bool fit_end(struct diag *diag, const struct row_text *row, const struct progress *progress,
+                    struct fit *fit)
 {
     if (!progress->from_end) {
         *fit = (struct fit){0, progress->at, progress->at};
@@ -170,8 +179,8 @@ static bool fit_end(struct diag *diag, const struct row_text *row, const struct 
     }
     if (progress->left == 0)
         return true;
-    diag_error(diag, CODE_ROW_COUNT, row->span, "the repeat leaves stitches unworked: %lld more must follow it",
-               progress->left);
+    diag_error(diag, CODE_ROW_COUNT, row->span,
+               "the repeat leaves stitches unworked: %lld more must follow it", progress->left);
     return false;
 }
 
@@ -193,8 +202,8 @@ bool row_fit(struct diag *diag, const struct row_text *row, struct fit *fit)
         } else if (!progress.from_end) {
             progress.at = least(many, progress.at + length);
         } else if ((progress.left -= length) < 0) {
-            diag_error(diag, CODE_ROW_COUNT, work->span, "this works %lld stitches more than the repeat leaves",
-                       -progress.left);
+            diag_error(diag, CODE_ROW_COUNT, work->span, "this works %s more than the repeat leaves",
+                       stitches(diag->arena, -progress.left));
             return false;
         }
     }
@@ -213,7 +222,8 @@ static const char *fit_text(struct arena *arena, const struct fit *fit)
     return arena_printf(arena, "a multiple of %lld + %lld", fit->multiple, fit->plus % fit->multiple);
 }
 
-static const char *who_left(struct arena *arena, enum width_from from, const struct row_text *before, long long width)
+static const char *who_left(struct arena *arena, enum width_from from, const struct row_text *before,
+                            long long width)
 {
     if (before && before->label)
         return arena_printf(arena, "row %d left %lld", before->label, width);
@@ -235,7 +245,8 @@ static void note_fit(struct diag *diag, const struct fit *fit, long long width)
 
     if (fit->multiple > 1)
         diag_note(diag, (struct span){0}, "this row fits %s; %lld is %lld x %lld + %lld",
-                  fit_text(diag->arena, fit), width, fit->multiple, width / fit->multiple, width % fit->multiple);
+                  fit_text(diag->arena, fit), width, fit->multiple, width / fit->multiple,
+                  width % fit->multiple);
     if (fit->multiple < 2 || width < fit->least)
         return;
     below = width - ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple;
@@ -254,18 +265,13 @@ void row_does_not_fit(struct diag *diag, const struct row_text *row, const struc
     if (!row_fit(diag, row, &fit))
         return;
     if (!fit.multiple && !others->multiple && before)
-        diag_error(diag, CODE_ROW_COUNT, row->span, "row %d works %lld stitches, but row %d left %lld", row->label,
-                   fit.plus, before->label, others->plus);
+        diag_error(diag, CODE_ROW_COUNT, row->span, "row %d works %lld stitches, but row %d left %lld",
+                   row->label, fit.plus, before->label, others->plus);
     else
-        diag_error(diag, CODE_ROW_WIDTH, row->span, "row %d fits %s, but the rows before it fit %s", row->label,
-                   fit_text(diag->arena, &fit), fit_text(diag->arena, others));
+        diag_error(diag, CODE_ROW_WIDTH, row->span, "row %d fits %s, but the rows before it fit %s",
+                   row->label, fit_text(diag->arena, &fit), fit_text(diag->arena, others));
     if (before)
         diag_note(diag, before->span, "row %d", before->label);
-}
-
-static const char *stitches(struct arena *arena, long long n)
-{
-    return arena_printf(arena, n == 1 ? "%lld stitch" : "%lld stitches", n);
 }
 
 /* Reports that a row does not come out on the width there is. */

@@ -12,7 +12,7 @@
 /* The text that stands for every row of a kind. */
 struct filler {
     enum all_kind all;
-    int first;              /* ALL_OTHER: the row it was given for */
+    int first; /* ALL_OTHER: the row it was given for */
     struct row_text *text;
     struct filler *next;
 };
@@ -35,9 +35,9 @@ struct row_list {
 
     struct filler *filler;
     int last_label;
-    enum side start;        /* the side of the first row worked; open until known */
+    enum side start; /* the side of the first row worked; open until known */
     bool round, flat, failed;
-    struct span span;       /* of the row added last */
+    struct span span; /* of the row added last */
 };
 
 struct row_list *rows_new(struct arena *arena, struct diag *diag)
@@ -122,8 +122,8 @@ static void add_at(struct row_list *list, struct row_text *text, int label)
         return;
     }
     if (at >= LIMIT_WRITTEN_ROWS) {
-        diag_error(list->diag, CODE_LIMIT_ROWS, text->head, "row %d: a pattern may have %d written rows", label,
-                   LIMIT_WRITTEN_ROWS);
+        diag_error(list->diag, CODE_LIMIT_ROWS, text->head, "row %d: a pattern may have %d written rows",
+                   label, LIMIT_WRITTEN_ROWS);
         fail(list);
         return;
     }
@@ -226,10 +226,11 @@ static void check_side(struct row_list *list, const struct row_text *text, int i
 
     if (!text->side || text->side == side)
         return;
-    diag_error(list->diag, CODE_ROW_SIDE, text->head, "row %d is marked %s, but it is worked on the %s", text->label,
-               text->side == SIDE_RS ? "RS" : "WS", side == SIDE_RS ? "right side" : "wrong side");
+    diag_error(list->diag, CODE_ROW_SIDE, text->head, "row %d is marked %s, but it is worked on the %s",
+               text->label, text->side == SIDE_RS ? "RS" : "WS",
+               side == SIDE_RS ? "right side" : "wrong side");
     diag_hint(list->diag, i + 1 == text->label ? "RS and WS rows take turns"
-                                                : "repeating an odd number of rows turns the sides around");
+                                               : "repeating an odd number of rows turns the sides around");
     fail(list);
 }
 
@@ -252,7 +253,8 @@ static void flush(struct row_list *list)
             text = filler_for(list, label, side_of(list, list->norder));
         if (!text) {
             diag_error(list->diag, CODE_ROW_NUMBER, list->span, "row %d is missing", label);
-            diag_hint(list->diag, "rows are numbered 1, 2, 3 ..; `all WS rows: purl` can stand for every second one");
+            diag_hint(list->diag,
+                      "rows are numbered 1, 2, 3 ..; `all WS rows: purl` can stand for every second one");
             fail(list);
             return;
         }
@@ -270,7 +272,8 @@ static void flush(struct row_list *list)
     list->npending = 0;
 }
 
-void rows_again(struct row_list *list, struct span span, const int *label, int n, long long times, long long total)
+void rows_again(struct row_list *list, struct span span, const int *label, int n, long long times,
+                long long total)
 {
     flush(list);
     list->span = span;
@@ -343,7 +346,8 @@ static void draw_row(stitch_id *cell, const stitch_id *worked, int width, enum s
             cell[x] = ws[worked[x]];
 }
 
-const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from, const stitch_id *ws)
+const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from,
+                             const stitch_id *ws)
 {
     stitch_id *cell, *worked = arena_array(list->arena, stitch_id, (size_t)width);
     int rows = height ? height : list->norder;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * The scanner's ordinary C: token texts in, values out; brackets and line ends. */
 #include "lang/scanner.h"
+#include "lang/syntax.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -24,8 +25,10 @@ int scanner_token(struct scanner *scanner, int kind)
 {
     scanner->comma = false;
     scanner->previous = kind;
-    if (kind == TOKEN_NEWLINE)
+    if (kind == TOKEN_NEWLINE || kind == TOKEN_END || kind == '}') {
+        scanner->star_left = scanner->star;
         scanner->star = scanner->complained = false;
+    }
     return kind;
 }
 
@@ -38,8 +41,8 @@ int scanner_text(struct scanner *scanner, KNIT_STYPE *value, int kind, struct sp
 
     if (kind == TOKEN_NAME && length > LIMIT_NAME) {
         span.end = span.start + LIMIT_NAME;
-        diag_error(parse->diag, CODE_LIMIT_NAMES, span, "this name is %zu bytes long; a name may have %d", length,
-                   LIMIT_NAME);
+        diag_error(parse->diag, CODE_LIMIT_NAMES, span, "this name is %zu bytes long; a name may have %d",
+                   length, LIMIT_NAME);
         return TOKEN_KNIT_error;
     }
     value->text = names_intern(parse->names, text, length);
@@ -68,7 +71,8 @@ static const struct unit {
     int dimension;
 } units[] = {{"%", 0.01, 0}, {"mm", 1, 1}, {"cm", 10, 1}, {"m", 1000, 1}, {"in", 25.4, 1}};
 
-int scanner_number(struct scanner *scanner, struct span span, KNIT_STYPE *value, const char *text, size_t length)
+int scanner_number(struct scanner *scanner, struct span span, KNIT_STYPE *value, const char *text,
+                   size_t length)
 {
     char digits[64], *end;
     struct diag *diag = scanner->parse->diag;
@@ -109,8 +113,9 @@ void scanner_number_word(KNIT_STYPE *value, const char *text)
     static const struct {
         const char *word;
         int number;
-    } words[] = {{"once", 1},  {"one", 1}, {"twice", 2}, {"two", 2},   {"thrice", 3}, {"three", 3},   {"four", 4},   {"five", 5},
-                 {"six", 6},   {"seven", 7}, {"eight", 8}, {"nine", 9}, {"ten", 10},   {"eleven", 11}, {"twelve", 12}};
+    } words[] = {{"once", 1},  {"one", 1},  {"twice", 2}, {"two", 2},     {"thrice", 3},
+                 {"three", 3}, {"four", 4}, {"five", 5},  {"six", 6},     {"seven", 7},
+                 {"eight", 8}, {"nine", 9}, {"ten", 10},  {"eleven", 11}, {"twelve", 12}};
 
     value->number.value = 1;
     value->number.dimension = 0;
@@ -142,7 +147,8 @@ void scanner_all(KNIT_STYPE *value, const char *text)
     static const struct {
         const char *word;
         enum all_kind all;
-    } words[] = {{"rs", ALL_RS}, {"right", ALL_RS}, {"ws", ALL_WS}, {"wrong", ALL_WS}, {"even", ALL_EVEN}, {"odd", ALL_ODD}};
+    } words[] = {{"rs", ALL_RS},    {"right", ALL_RS},  {"ws", ALL_WS},
+                 {"wrong", ALL_WS}, {"even", ALL_EVEN}, {"odd", ALL_ODD}};
 
     value->all = ALL_NONE;
     for (; *text && !value->all; text += strspn(text, " \t\f\v-")) {
@@ -179,8 +185,8 @@ int scanner_character(struct scanner *scanner, struct span span)
     if (c < 0x20 || c == 0x7F || (c >= 0x80 && span.end == span.start + 1))
         diag_error(diag, CODE_CHARACTER, span, "the byte 0x%02X is no character of a script", c);
     else
-        diag_error(diag, CODE_CHARACTER, span, "the character '%.*s' has no meaning here", (int)(span.end - span.start),
-                   source->text + span.start);
+        diag_error(diag, CODE_CHARACTER, span, "the character '%.*s' has no meaning here",
+                   (int)(span.end - span.start), source->text + span.start);
     return TOKEN_KNIT_error;
 }
 
@@ -219,11 +225,14 @@ static enum bracket brace_of(const struct scanner *scanner, bool in_expression)
 
 enum bracket scanner_open(struct scanner *scanner, struct span span, char c, int state, bool in_expression)
 {
-    enum bracket kind = c == '(' ? BRACKET_ROUND : c == '[' ? BRACKET_SQUARE : brace_of(scanner, in_expression);
+    enum bracket kind = c == '('   ? BRACKET_ROUND
+                        : c == '[' ? BRACKET_SQUARE
+                                   : brace_of(scanner, in_expression);
 
     if (scanner->nopen == LIMIT_NESTING) {
         if (!scanner->quiet)
-            diag_error(scanner->parse->diag, CODE_LIMIT_NESTING, span, "brackets are nested more than %d deep", LIMIT_NESTING);
+            diag_error(scanner->parse->diag, CODE_LIMIT_NESTING, span,
+                       "brackets are nested more than %d deep", LIMIT_NESTING);
         scanner->quiet = true;
         return BRACKET_TOO_DEEP;
     }
@@ -274,7 +283,8 @@ static bool is_word(const char *text, size_t length, const char *word)
 /* Whether a statement begins here: one of its words and behind it what may follow one. */
 static bool statement_follows(const char *text)
 {
-    static const char *const rows[] = {"row", "rows", "rnd", "rnds", "round", "rounds", "the", "these", "last"};
+    static const char *const rows[] = {"row",    "rows", "rnd",   "rnds", "round",
+                                       "rounds", "the",  "these", "last"};
     size_t length = word_length(text);
     const char *behind = text + length + strspn(text + length, " \t");
     size_t next = word_length(behind);
@@ -297,8 +307,27 @@ static bool statement_follows(const char *text)
 static bool goes_on(int token)
 {
     static const int open_ended[] = {
-        '=', ',', ':', '?', '+', '-', '*', '/', '<', '>', '!', TOKEN_IN, TOKEN_BY, TOKEN_MOD, TOKEN_DOTS,
-        TOKEN_LESS_EQUAL, TOKEN_GREATER_EQUAL, TOKEN_EQUAL, TOKEN_UNEQUAL, TOKEN_AND_AND, TOKEN_OR_OR,
+        '=',
+        ',',
+        ':',
+        '?',
+        '+',
+        '-',
+        '*',
+        '/',
+        '<',
+        '>',
+        '!',
+        TOKEN_IN,
+        TOKEN_BY,
+        TOKEN_MOD,
+        TOKEN_DOTS,
+        TOKEN_LESS_EQUAL,
+        TOKEN_GREATER_EQUAL,
+        TOKEN_EQUAL,
+        TOKEN_UNEQUAL,
+        TOKEN_AND_AND,
+        TOKEN_OR_OR,
     };
 
     for (size_t i = 0; i < sizeof open_ended / sizeof *open_ended; i++)
@@ -312,8 +341,10 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
 {
     size_t length = word_length(text);
 
-    return scanner->comma || scanner->star || scanner->previous == ':' || scanner->previous == TOKEN_TO_LAST ||
-           scanner->previous == TOKEN_UNTIL || is_word(text, length, "rep") || is_word(text, length, "repeat");
+    if (is_word(text, length, "rep") || is_word(text, length, "repeat"))
+        return true;
+    return scanner->comma || (scanner->star && syntax_is_row(text)) || scanner->previous == ':' ||
+           scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL;
 }
 
 bool scanner_ends_line(struct scanner *scanner, bool in_row)
@@ -331,6 +362,8 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row)
         return false;
     if (*next == '{')
         return false;
+    if (!scanner->statement)
+        return true;
     return !goes_on(scanner->previous) && !(*next && strchr("?:*/+-&|<>=", *next));
 }
 

@@ -32,6 +32,7 @@ struct scanner {
     int           previous;         /* the token before this one */
     bool          comma;            /* a row's text ended with one */
     bool          star;             /* a row's star is open */
+    bool          star_left;        /* and was when the row ended */
     bool          complained;       /* about a character of this line */
     bool          quiet;            /* an unclosed bracket was reported: no more about it */
     int           nopen;

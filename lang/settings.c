@@ -11,22 +11,22 @@
 enum key_type {
     KEY_NUMBER,
     KEY_WHOLE,
-    KEY_SEED,           /* a whole number kept in 64 bits */
+    KEY_SEED, /* a whole number kept in 64 bits */
     KEY_WORD,
-    KEY_EDGES,          /* all, none or a list of sides */
-    KEY_PER_STITCH      /* auto or a power of two */
+    KEY_EDGES,     /* all, none or a list of sides */
+    KEY_PER_STITCH /* auto or a power of two */
 };
 
 struct key {
     const char *block, *name, *unit;
     enum key_type type;
-    int dimension;              /* numbers: 1 for a length */
-    double low, high;           /* numbers: allowed values, both included, */
-    bool above_low;             /* unless low itself is not */
-    double number;              /* the default */
-    const char *word;           /* words: the default, */
-    const char *const *words;   /* and all of them, in the order of their enum */
-    size_t offset;              /* in struct scene */
+    int dimension;            /* numbers: 1 for a length */
+    double low, high;         /* numbers: allowed values, both included, */
+    bool above_low;           /* unless low itself is not */
+    double number;            /* the default */
+    const char *word;         /* words: the default, */
+    const char *const *words; /* and all of them, in the order of their enum */
+    size_t offset;            /* in struct scene */
 };
 
 static const char *const discretisations[] = {"patch", "triangle", NULL};
@@ -40,12 +40,16 @@ static const char *const automatic[] = {"auto", NULL};
 static const struct key keys[SETTINGS] = {
     {"gauge", "width", "length", KEY_NUMBER, 1, 1e-6, 1e6, false, 1.4, NULL, NULL, AT(gauge.width)},
     {"gauge", "height", "length", KEY_NUMBER, 1, 1e-6, 1e6, false, 1.2, NULL, NULL, AT(gauge.height)},
-    {"material", "thickness", "length", KEY_NUMBER, 1, 1e-6, 1e6, false, 0.5, NULL, NULL, AT(material.thickness)},
-    {"material", "young", "force/length^2", KEY_NUMBER, 0, 1e-9, 1e12, false, 1, NULL, NULL, AT(material.young)},
+    {"material", "thickness", "length", KEY_NUMBER, 1, 1e-6, 1e6, false, 0.5, NULL, NULL,
+     AT(material.thickness)},
+    {"material", "young", "force/length^2", KEY_NUMBER, 0, 1e-9, 1e12, false, 1, NULL, NULL,
+     AT(material.young)},
     {"material", "poisson", "", KEY_NUMBER, 0, -1, 0.5, true, 0.4, NULL, NULL, AT(material.poisson)},
-    {"springs", "stiffness", "force/length^2", KEY_NUMBER, 0, 0, 1e12, false, 0, NULL, NULL, AT(springs.stiffness)},
+    {"springs", "stiffness", "force/length^2", KEY_NUMBER, 0, 0, 1e12, false, 0, NULL, NULL,
+     AT(springs.stiffness)},
     {"springs", "edges", "", KEY_EDGES, 0, 0, 0, false, 0, "all", edges, AT(springs.edges)},
-    {"mesh", "discretisation", "", KEY_WORD, 0, 0, 0, false, 0, "patch", discretisations, AT(mesh.discretisation)},
+    {"mesh", "discretisation", "", KEY_WORD, 0, 0, 0, false, 0, "patch", discretisations,
+     AT(mesh.discretisation)},
     {"mesh", "per_stitch", "", KEY_PER_STITCH, 0, 1, 16, false, 0, "auto", automatic, AT(mesh.per_stitch)},
     {"mesh", "diagonals", "", KEY_WORD, 0, 0, 0, false, 0, "uniform", diagonals, AT(mesh.diagonals)},
     {"solve", "accuracy", "", KEY_NUMBER, 0, 1e-6, 0.5, false, 0.01, NULL, NULL, AT(solve.accuracy)},
@@ -53,7 +57,8 @@ static const struct key keys[SETTINGS] = {
     {"solve", "noise", "thickness", KEY_NUMBER, 0, 0, 10, false, 0.01, NULL, NULL, AT(solve.noise)},
     {"solve", "seed", "", KEY_SEED, 0, 0, 9007199254740992.0, false, 1, NULL, NULL, AT(solve.seed)},
     {"solve", "method", "", KEY_WORD, 0, 0, 0, false, 0, "auto", methods, AT(solve.method)},
-    {"solve", "tolerance", "young*thickness^2", KEY_NUMBER, 0, 1e-15, 1, false, 1e-8, NULL, NULL, AT(solve.tolerance)},
+    {"solve", "tolerance", "young*thickness^2", KEY_NUMBER, 0, 1e-15, 1, false, 1e-8, NULL, NULL,
+     AT(solve.tolerance)},
     {"solve", "max_iterations", "", KEY_WHOLE, 0, 1, 1e9, false, 10000, NULL, NULL, AT(solve.max_iterations)},
 };
 
@@ -123,8 +128,8 @@ static bool read_word(struct eval *eval, struct where where, const struct key *k
 }
 
 /* One side adds itself to the set; `all` and `none` stand alone. */
-static bool add_edge(struct eval *eval, struct where where, const struct key *key, const struct expr *e, bool alone,
-                     unsigned *set)
+static bool add_edge(struct eval *eval, struct where where, const struct key *key, const struct expr *e,
+                     bool alone, unsigned *set)
 {
     static const unsigned bits[] = {EDGE_ALL, 0, EDGE_LEFT, EDGE_RIGHT, EDGE_TOP, EDGE_BOTTOM};
     const char *word = word_of(eval, where, key, e);
@@ -164,8 +169,8 @@ static bool in_range(struct eval *eval, const struct key *key, struct span span,
 {
     if (number <= key->high && (key->above_low ? number > key->low : number >= key->low))
         return true;
-    diag_error(eval->diag, CODE_RANGE, span, "%s = %.15g is out of range: %s %g and at most %g", key->name, number,
-               key->above_low ? "greater than" : "at least", key->low, key->high);
+    diag_error(eval->diag, CODE_RANGE, span, "%s = %.15g is out of range: %s %g and at most %g", key->name,
+               number, key->above_low ? "greater than" : "at least", key->low, key->high);
     if (strcmp(key->name, "accuracy") == 0 && number >= 1)
         diag_hint(eval->diag, "one percent is written 1%% or 0.01");
     return false;
@@ -194,8 +199,8 @@ static bool read_number(struct eval *eval, struct where where, const struct key 
     return true;
 }
 
-static bool read_per_stitch(struct eval *eval, struct where where, const struct key *key, const struct expr *e,
-                            struct setting_value *to)
+static bool read_per_stitch(struct eval *eval, struct where where, const struct key *key,
+                            const struct expr *e, struct setting_value *to)
 {
     int n;
 
@@ -234,7 +239,8 @@ static bool read_key(struct eval *eval, struct where where, const struct key *ke
 static int find_key(const char *block, size_t length, const char *name)
 {
     for (int i = 0; i < SETTINGS; i++)
-        if (strlen(keys[i].block) == length && strncmp(keys[i].block, block, length) == 0 && strcmp(keys[i].name, name) == 0)
+        if (strlen(keys[i].block) == length && strncmp(keys[i].block, block, length) == 0 &&
+            strcmp(keys[i].name, name) == 0)
             return i;
     return -1;
 }
@@ -283,7 +289,8 @@ void settings_block(struct eval *eval, struct settings *settings, const struct s
     }
 }
 
-bool settings_override(struct eval *eval, struct settings *settings, const char *name, const struct expr *value)
+bool settings_override(struct eval *eval, struct settings *settings, const char *name,
+                       const struct expr *value)
 {
     const char *dot = strchr(name, '.');
     int i = dot ? find_key(name, (size_t)(dot - name), dot + 1) : -1;

@@ -20,7 +20,8 @@ void stitches_declare(struct eval *eval, struct module *module)
             continue;
         b->state = DONE;
         if (is_knit_or_purl(eval, b->name)) {
-            b->value = (struct value){.kind = VALUE_STITCH, .stitch = b->name == eval->word_K ? STITCH_K : STITCH_P};
+            b->value =
+                (struct value){.kind = VALUE_STITCH, .stitch = b->name == eval->word_K ? STITCH_K : STITCH_P};
             if (module != eval->main) {
                 diag_error(eval->diag, CODE_PLACE, b->span, "a file that is used cannot change %s", b->name);
                 continue;
@@ -29,13 +30,15 @@ void stitches_declare(struct eval *eval, struct module *module)
             continue;
         }
         if (eval->nstitches == STITCH_MAX) {
-            diag_error(eval->diag, CODE_LIMIT_STITCHDEF, b->span, "there can be %d kinds of stitches", STITCH_MAX);
+            diag_error(eval->diag, CODE_LIMIT_STITCHDEF, b->span, "there can be %d kinds of stitches",
+                       STITCH_MAX);
             b->value = (struct value){.kind = VALUE_BAD};
             continue;
         }
         for (int i = 0; i < eval->nstitches; i++)
             if (strcmp(eval->stitch[i].name, b->name) == 0) {
-                diag_error(eval->diag, CODE_TWICE, b->span, "there is a stitch '%s' in another file already", b->name);
+                diag_error(eval->diag, CODE_TWICE, b->span, "there is a stitch '%s' in another file already",
+                           b->name);
                 diag_note(eval->diag, eval->stitch_binding[i]->span, "here");
             }
         b->value = (struct value){.kind = VALUE_STITCH, .stitch = (stitch_id)eval->nstitches};
@@ -52,14 +55,16 @@ static const char *const stitch_key[] = {"kx", "ky", "twist", "symbol", "ws"};
 enum { NUMBERS = 3, NKEYS = STITCH_KEYS };
 static const double largest = 1e6;
 
-static bool number_key(struct eval *eval, struct where where, const struct expr *value, const char *key, double *to)
+static bool number_key(struct eval *eval, struct where where, const struct expr *value, const char *key,
+                       double *to)
 {
     double number;
 
     if (!eval_number(eval, where, value, -1, &number))
         return false;
     if (fabs(number) > largest) {
-        diag_error(eval->diag, CODE_RANGE, value->span, "%s = %g is out of range: from -1e6 to 1e6", key, number);
+        diag_error(eval->diag, CODE_RANGE, value->span, "%s = %g is out of range: from -1e6 to 1e6", key,
+                   number);
         return false;
     }
     *to = number;
@@ -87,8 +92,8 @@ static bool ws_key(struct eval *eval, struct where where, const struct expr *val
     if (stitch.kind == VALUE_STITCH)
         *to = stitch.stitch;
     else if (stitch.kind != VALUE_BAD)
-        diag_error(eval->diag, CODE_TYPE, value->span, "ws is the stitch it shows when worked on the wrong side, this is %s",
-                   value_type(stitch));
+        diag_error(eval->diag, CODE_TYPE, value->span,
+                   "ws is the stitch it shows when worked on the wrong side, this is %s", value_type(stitch));
     return stitch.kind == VALUE_STITCH;
 }
 
@@ -148,7 +153,8 @@ static void file_keys(struct eval *eval, int id, enum origin from[NKEYS])
     }
 }
 
-bool stitches_override(struct eval *eval, const char *name, const char *key, struct span span, const struct expr *value)
+bool stitches_override(struct eval *eval, const char *name, const char *key, struct span span,
+                       const struct expr *value)
 {
     for (int id = 0; id < eval->nstitches; id++)
         if (strcmp(eval->stitch[id].name, name) == 0) {
@@ -208,7 +214,9 @@ int stitches_settings(struct eval *eval, struct setting *setting)
             setting[n++] = (struct setting){
                 .name = arena_printf(eval->arena, "%s.%s", stitch->name, stitch_key[key]),
                 .unit = key < NUMBERS ? "1/length" : "",
-                .text = key < NUMBERS ? NULL : key == NUMBERS ? stitch->symbol : eval->stitch[stitch->ws].name,
+                .text = key < NUMBERS    ? NULL
+                        : key == NUMBERS ? stitch->symbol
+                                         : eval->stitch[stitch->ws].name,
                 .number = key < NUMBERS ? number[key] : 0,
                 .from = eval->stitch_from[id][key],
                 .low = 1,

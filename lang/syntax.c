@@ -4,14 +4,16 @@
 
 #include <ctype.h>
 #include <string.h>
+#include <strings.h>
 
 #include "lang/limits.h"
 #include "lang/scanner.h"
 
 const char *const statement_word[] = {
-    "knit",   "use",   "let",    "param", "stitch", "motif", "swatch",  "gauge",  "material", "springs", "mesh",  "solve",
-    "output", "sweep", "for",    "if",    "chart",  "cast",  "co",      "row",    "rows",     "round",   "rounds", "rnd",
-    "rnds",   "all",   "repeat", "rep",   "every",  "next",  "multiple",
+    "knit",     "use",     "let",    "param", "stitch", "motif", "swatch",   "gauge",
+    "material", "springs", "mesh",   "solve", "output", "sweep", "for",      "if",
+    "chart",    "cast",    "co",     "row",   "rows",   "round", "rounds",   "rnd",
+    "rnds",     "all",     "repeat", "rep",   "every",  "next",  "multiple",
 };
 const int nstatement_words = sizeof statement_word / sizeof *statement_word;
 
@@ -32,12 +34,11 @@ static bool begins_statement(struct span span)
     return at == 0 || strchr("\n\r;{}", text[at - 1]) || (unsigned char)text[at - 1] == 0xBF;
 }
 
-/* Row text without its `Row 1:`: stitches with numbers, or a star. */
-static bool looks_like_row(const char *text)
+bool syntax_is_row(const char *text)
 {
     char c = (char)tolower((unsigned char)text[0]);
 
-    if (c == '*' || c == '(' || c == '[')
+    if (c == '*' || c == '(' || c == '[' || strncasecmp(text, "rep", 3) == 0)
         return true;
     return (c == 'k' || c == 'p') && (isdigit((unsigned char)text[1]) || strchr(", \r\n", text[1]));
 }
@@ -61,7 +62,7 @@ static void no_statement(struct parse *parse, struct span span)
         return;
     }
     diag_error(parse->diag, CODE_STATEMENT, span, "no statement begins with '%s'", word);
-    if (looks_like_row(text))
+    if (syntax_is_row(text))
         diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`");
     else if (text[behind] == '=' && text[behind + 1] != '=')
         diag_hint(parse->diag, "to give a name to a value: `let %s = ...`", word);
@@ -81,7 +82,8 @@ static const char *found_text(struct parse *parse, struct span span, const char 
     return arena_printf(parse->arena, "'%.*s'", (int)length, span.source->text + span.start);
 }
 
-void syntax_error(struct parse *parse, struct span span, const char *found, const char *const *expected, int n)
+void syntax_error(struct parse *parse, struct span span, const char *found, const char *const *expected,
+                  int n)
 {
     char *list = arena_copy(parse->arena, "", 0);
     bool at_end = found && strncmp(found, "the end", 7) == 0;
@@ -94,10 +96,25 @@ void syntax_error(struct parse *parse, struct span span, const char *found, cons
     }
     if (at_end && span.end > span.start + 1)
         span.end = span.start + 1;
+    if (parse->scanner->star_left) {
+        diag_error(parse->diag, CODE_SYNTAX, span, "the row's '*' is left without its `rep from *`");
+        diag_hint(parse->diag,
+                  "`*k2, p2; rep from * to end`, or to the last stitches: `rep from * to last 2 sts, k2`");
+        return;
+    }
+    if (at_end && !n) {
+        diag_error(parse->diag, CODE_SYNTAX, span, "the line ends too early");
+        return;
+    }
     for (int i = 0; i < n; i++)
-        list = arena_printf(parse->arena, "%s%s%s", list, i == 0 ? "" : i == n - 1 ? " or " : ", ", expected[i]);
+        list = arena_printf(parse->arena, "%s%s%s", list,
+                            i == 0       ? ""
+                            : i == n - 1 ? " or "
+                                         : ", ",
+                            expected[i]);
     if (n)
-        diag_error(parse->diag, CODE_SYNTAX, span, "expected %s, found %s", list, found_text(parse, span, found));
+        diag_error(parse->diag, CODE_SYNTAX, span, "expected %s, found %s", list,
+                   found_text(parse, span, found));
     else
         diag_error(parse->diag, CODE_SYNTAX, span, "did not expect %s here", found_text(parse, span, found));
 }
@@ -112,7 +129,8 @@ struct row syntax_head(struct parse *parse, enum side round, enum side side, str
     for (struct row_numbers *part = numbers; part; part = part->next) {
         row.round |= part->round;
         if (row.side && part->side && part->side != row.side) {
-            diag_error(parse->diag, CODE_ROW_SIDE, part->span, "one text cannot stand for both RS and WS rows");
+            diag_error(parse->diag, CODE_ROW_SIDE, part->span,
+                       "one text cannot stand for both RS and WS rows");
             diag_hint(parse->diag, "write the two as separate rows");
         }
         row.side = part->side ? part->side : row.side;

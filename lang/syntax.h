@@ -10,6 +10,9 @@ enum { SYNTAX_EXPECTED = 6 };       /* more alternatives than this are not liste
 
 /* `found` and `expected` are the grammar's names of tokens. */
 void syntax_error(struct parse *, struct span, const char *found, const char *const *expected, int n);
+
+/* Whether a text looks like the stitches of a row: `k2`, `*`, `[`, `rep`. */
+bool syntax_is_row(const char *text);
 void syntax_too_deep(struct parse *, struct span);
 
 struct row syntax_head(struct parse *, enum side round, enum side, struct row_numbers *);

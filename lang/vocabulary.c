@@ -110,13 +110,17 @@ static const struct {
     const char *word;
     stitch_id stitch;
 } plain[] = {
-    {"k", STITCH_K}, {"knit", STITCH_K}, {"p", STITCH_P}, {"purl", STITCH_P},
+    {"k", STITCH_K},
+    {"knit", STITCH_K},
+    {"p", STITCH_P},
+    {"purl", STITCH_P},
 };
 enum { PLAIN = sizeof plain / sizeof *plain };
 
 /* Own stitches by their name, then by their symbol, then in any case; then the
  * plain ones. */
-static bool find(const struct eval *eval, const struct module *module, const char *word, size_t length, stitch_id *id)
+static bool find(const struct eval *eval, const struct module *module, const char *word, size_t length,
+                 stitch_id *id)
 {
     for (int pass = 0; pass < 3; pass++)
         for (const struct binding *b = module->first; b; b = b->after) {
@@ -149,7 +153,8 @@ static void unknown(struct eval *eval, const struct module *module, const char *
     span.end = span.start + (unsigned)strlen(word);
     if (what) {
         diag_error(eval->diag, CODE_SHAPING, span,
-                   "'%s' (%s) changes the stitch count or the topology; version 1 handles knit and purl (and your own "
+                   "'%s' (%s) changes the stitch count or the topology; version 1 handles knit and purl (and "
+                   "your own "
                    "plain stitches)",
                    word, what);
         return;
@@ -157,7 +162,8 @@ static void unknown(struct eval *eval, const struct module *module, const char *
     for (int i = 0; i < PLAIN; i++)
         nearest_offer(&nearest, plain[i].word);
     for (const struct binding *b = module->first; b; b = b->after)
-        if (binding_target((struct binding *)b) && binding_target((struct binding *)b)->kind == BINDING_STITCH)
+        if (binding_target((struct binding *)b) &&
+            binding_target((struct binding *)b)->kind == BINDING_STITCH)
             nearest_offer(&nearest, b->name);
     diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
     diag_did_you_mean(eval->diag, nearest.best);

@@ -87,8 +87,8 @@ static void print_settings(const struct scene *scene)
         printf(s->about ? " \"%s\"\n" : "\n", s->about);
     }
     for (int i = 0; i < scene->noutputs; i++)
-        printf("output %s %s per_stitch=%d line=%d\n", output_kind_name(scene->output[i].kind), scene->output[i].path,
-               scene->output[i].per_stitch, scene->output[i].line);
+        printf("output %s %s per_stitch=%d line=%d\n", output_kind_name(scene->output[i].kind),
+               scene->output[i].path, scene->output[i].per_stitch, scene->output[i].line);
     for (int i = 0; i < scene->naxes; i++) {
         printf("sweep %s:", scene->axis[i].param);
         for (int j = 0; j < scene->axis[i].npoints; j++)

@@ -1,0 +1,110 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Hard input: a message of its own for each limit, in little time and memory.
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+. "$WEFT_SOURCE/tests/golden/dump.sh"
+
+# make AWK-PROGRAM: writes the script.
+make() {
+    awk "BEGIN { $1 }" >"$work/x.knit"
+}
+
+# limit CODE NAME: the script made before is refused with this code.
+limit() {
+    status=0
+    (
+        # The sanitizers reserve more than any limit; they have their own.
+        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 20
+        exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
+    ) || status=$?
+    if [ $status = 3 ] && grep -q "\[$1\]" "$work/out"; then
+        pass "$1: $2"
+    else
+        fail "$1: $2 (exit status $status)"
+        head -c 2000 "$work/out" | sed 's/^/# /'
+    fi
+}
+
+make 'for (i = 0; i < 7000000; i++) print "# line of ten"'
+limit E0701 'a file of 91 MB'
+make 'for (i = 0; i < 1000000; i++) printf "xxxxxxxxxx"; print ""'
+limit E0702 'a line of 10 MB'
+make 'printf "let a = "; for (i = 0; i < 100000; i++) printf "("; print 1'
+limit E0703 'brackets'
+make 'printf "let a = "; for (i = 0; i < 100000; i++) printf "-"; print 1'
+limit E0703 'signs'
+make 'printf "let a = "; for (i = 0; i < 100000; i++) printf "1 ? "; print 1'
+limit E0703 'choices'
+make 'printf "Row 1: "; for (i = 0; i < 5000; i++) printf "("; printf "k1"; for (i = 0; i < 5000; i++) printf ") 2 times"; print ""'
+limit E0703 'groups of stitches'
+make 'for (i = 0; i < 300; i++) printf "motif a {"; print ""'
+limit E0703 'blocks'
+make 'for (i = 0; i < 20000; i++) printf "if 1 { } else "; print "{ }"'
+limit E0703 'else if'
+make 'printf "let a = "; for (i = 0; i < 200000; i++) printf "1+"; print 1'
+limit E0704 'a sum of 200000 terms'
+make 'print "let a0 = 1"; for (i = 1; i < 9000; i++) printf "let a%d = a%d\n", i, i - 1; print "swatch tile(K, a8999, 1)"'
+limit E0705 'definitions in a chain'
+make 'print "motif f(n) = f(n + 1)"; print "swatch f(1)"'
+limit E0705 'a motif that uses itself'
+i=1
+while [ $i -le 20 ]; do
+    echo "use \"$((i + 1)).txt\"" >"$work/$i.txt"
+    i=$((i + 1))
+done
+echo 'use "1.txt"' >"$work/x.knit"
+limit E0706 'files that use files'
+make 'print "swatch tile(K, 2000, 2001)"'
+limit E0707 'a large fabric'
+make 'print "Cast on 5\nRow 1: k1, (k1) x 99999999"'
+limit E0204 'x 99999999'
+make 'print "Cast on 4000000\nRow 1: knit\nRow 2: purl"'
+limit E0707 'a wide fabric'
+make 'print "Row 1: "; for (i = 0; i < 9; i++) printf "("; printf "k1"; for (i = 0; i < 9; i++) printf ") x 999999"; print ""'
+limit E0707 'repeats of repeats'
+make 'print "Cast on 2\nRow 1: k2\nRow 2: p2\nRepeat rows 1-2 999999 times"'
+limit E0708 'many rows'
+make 'print "for j in 1..11 { for i in 1..10000 { Row {i + 10000 * (j - 1)}: k1 } }"'
+limit E0708 'many written rows'
+make 'print "motif m { Row 100001: k1 }\nswatch m"'
+limit E0204 'a high row number'
+make 'print "swatch each (x, y) in 2000 by 2000 : (x * x + y * y) mod 7 < 3 && (x + y) mod 5 > 1 ? P : K"'
+limit E0709 'a long calculation'
+make 'for (i = 0; i < 20000; i++) printf "let a%d = 1\n", i'
+limit E0710 'many names'
+make 'printf "let "; for (i = 0; i < 3000; i++) printf "q"; print " = 1"'
+limit E0710 'a long name'
+make 'print "motif m { for i in 1..1000000 { Row {i}: k2 } }\nswatch m"'
+limit E0711 'a long range'
+make 'print "param a = 1\nparam b = 1\nswatch K\nsweep a in 1..2000, b in 1..2000"'
+limit E0711 'a large sweep'
+make 'for (i = 0; i < 300; i++) printf "stitch s%d { kx = 1 }\n", i; print "swatch K"'
+limit E0712 'many kinds of stitches'
+make 'print "swatch K"; for (i = 0; i < 200; i++) printf "output \"%d.obj\"\n", i'
+limit E0713 'many outputs'
+make 'printf "let a = "; for (i = 0; i < 5000; i++) printf "9"; print ""'
+limit E0104 'a long number'
+make 'for (i = 0; i < 100000; i++) print "}"'
+limit E0108 'braces that close nothing'
+make 'printf "let a = ("; for (i = 0; i < 300000; i++) print "# comment"'
+limit E0101 'a bracket before many lines'
+
+# What is within the limits is done, and quickly enough.
+large() {
+    make "$1"
+    exits 0 "$2" "$dump" --size "$work/x.knit"
+    same "$2: its size" "$3"
+}
+large 'print "swatch tile(K, 2000, 2000)"' 'four million stitches' '2000 x 2000'
+large 'print "Cast on 4\nRow 1: k4\nRow 2: p4\nRepeat rows 1-2 499999 times"' 'a million rows' '4 x 1000000'
+large 'print "Cast on 1000000\nRow 1: *k1, p1; rep from *"' 'a million stitches in a row' '1000000 x 1'
+large 'print "swatch each (x, y) in 1000 by 1000 : (x + y) mod 12 < 6 ? P : K"' 'a formula for a million stitches' '1000 x 1000'
+large 'printf "Cast on 200000\nRow 1: "; for (i = 0; i < 100000; i++) printf "k1, p1, "; print ""' 'a row of a million letters' '200000 x 1'
+
+# 32 bytes of memory for each of a million stitches, and what any program needs.
+if [ -z "${ASAN_OPTIONS-}" ]; then
+    make 'print "use miura from std\nswatch fill(miura, 1200, 851)"'
+    exits 0 'a million stitches in 64 MB' sh -c "ulimit -v 65536; exec '$dump' --size '$work/x.knit'"
+fi
+
+finish
