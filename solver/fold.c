@@ -360,6 +360,50 @@ static struct descent refine(struct fold *fold)
     return end;
 }
 
+static bool has_curvature(const struct sheet *sheet)
+{
+    for (size_t i = 0; i < (size_t)sheet->columns * (size_t)sheet->rows; i++)
+        if (sheet->kx[i] != 0 || sheet->ky[i] != 0 || sheet->twist[i] != 0)
+            return true;
+    return false;
+}
+
+/* Without natural curvature the flat sheet is the minimum: nothing is solved. */
+static struct descent stay_flat(struct fold *fold)
+{
+    struct fold_state *state = fold->state;
+    state->d = levels_flat(fold->sheet, fold->threads);
+    state->x = MEMORY_ARRAY(double, state->d->n);
+    state->d->op->flat(state->d, state->x);
+    open_level(fold, 1);
+    problem_evaluate(&fold->problem, state->x);
+    fold->record->energy_error = fold->record->shape_error = 0;
+    record_step(fold, 0);
+    return (struct descent){.outcome = OUTCOME_CONVERGED, .minimum = true};
+}
+
+static struct descent grow_and_refine(struct fold *fold)
+{
+    start_level(fold);
+    struct descent end = {.outcome = grow(fold)};
+    if (end.outcome != OUTCOME_CONVERGED)
+        return end;
+    int before = fold->effort.iterations;
+    end = refine(fold);
+    if (may_go_on(end.outcome))
+        record_step(fold, fold->effort.iterations - before);
+    return end;
+}
+
+static void close_fold(struct fold *fold)
+{
+    close_level(fold);
+    factor_free(fold->kept.factor);
+    if (fold->kept.d)
+        fold->kept.d->op->free(fold->kept.d);
+    surface_free(&fold->coarser);
+}
+
 static int thread_count(const struct fold_options *options)
 {
 #ifdef _OPENMP
@@ -377,20 +421,8 @@ struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options
     struct fold fold = {.sheet = sheet, .observer = observer, .record = record,
                         .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options),
                         .most_factored = options->most_factored ? options->most_factored : FOLD_MOST_FACTORED};
-    start_level(&fold);
-    struct descent end = {.outcome = grow(&fold)};
-    if (end.outcome == OUTCOME_CONVERGED) {
-        int before = fold.effort.iterations;
-        end = refine(&fold);
-        if (may_go_on(end.outcome))
-            record_step(&fold, fold.effort.iterations - before);
-    }
-    finish_record(&fold, end);
-    close_level(&fold);
-    factor_free(fold.kept.factor);
-    if (fold.kept.d)
-        fold.kept.d->op->free(fold.kept.d);
-    surface_free(&fold.coarser);
+    finish_record(&fold, has_curvature(sheet) ? grow_and_refine(&fold) : stay_flat(&fold));
+    close_fold(&fold);
     return fold.state;
 }
 

@@ -39,6 +39,14 @@ struct discretisation *levels_first(const struct sheet *sheet, int threads)
     return patch_make(sheet, &basis_spline, 1, GAUSS_COARSE, threads);
 }
 
+struct discretisation *levels_flat(const struct sheet *sheet, int threads)
+{
+    int wanted = sheet->mesh.per_stitch ? sheet->mesh.per_stitch : 1;
+    return sheet->mesh.discretisation == DISCRETISATION_TRIANGLE
+               ? triangle_make(sheet, wanted, threads)
+               : patch_make(sheet, &basis_hermite, wanted, GAUSS, threads);
+}
+
 struct discretisation *levels_next(const struct discretisation *d, int threads)
 {
     const struct sheet *sheet = d->sheet;

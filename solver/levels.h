@@ -13,6 +13,9 @@ enum { LEVELS_MOST_UNKNOWNS = 1000000 };
  * own way, the one asked for. */
 struct discretisation *levels_first(const struct sheet *sheet, int threads);
 
+/* The level that holds a sheet with nothing to fold. */
+struct discretisation *levels_flat(const struct sheet *sheet, int threads);
+
 /* The level after this one: twice as fine, or as fine as asked for. */
 struct discretisation *levels_next(const struct discretisation *d, int threads);
 
