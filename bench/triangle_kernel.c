@@ -77,7 +77,8 @@ static double measure(void (*run)(const struct work *), const struct work *w)
 
 int main(int argc, char **argv)
 {
-    int columns = argc > 3 ? atoi(argv[1]) : 48, rows = argc > 3 ? atoi(argv[2]) : 92, per = argc > 3 ? atoi(argv[3]) : 2;
+    bool sized = argc > 3;
+    int columns = sized ? atoi(argv[1]) : 48, rows = sized ? atoi(argv[2]) : 92, per = sized ? atoi(argv[3]) : 2;
     int threads = argc > 4 ? atoi(argv[4]) : 1;
     size_t stitches = (size_t)columns * (size_t)rows;
     double *natural = calloc(stitches, sizeof *natural);

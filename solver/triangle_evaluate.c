@@ -20,12 +20,17 @@ struct job {
 
 typedef void chunk_work(const struct triangle *t, int chunk, const struct job *job);
 
+enum { FEW = 1024 };    /* faces not worth a second thread */
+
+/* What is summed into unknowns goes by colour, what each chunk keeps to itself all at once.  Who takes which chunk
+ * of a colour makes no difference to the sums, so whoever is free takes the next. */
 static void each_chunk(const struct triangle *t, chunk_work *work, const struct job *job)
 {
-#pragma omp parallel num_threads(t->base.threads) if (t->base.threads > 1 && t->nchunks > 8)
-    for (int c = 0; c < t->ncolours; c++) {
-#pragma omp for schedule(static)
-        for (int k = t->colour_start[c]; k < t->colour_start[c + 1]; k++)
+    bool sums = job->out;
+#pragma omp parallel num_threads(t->base.threads) if (t->base.threads > 1 && t->base.elements > FEW)
+    for (int c = 0; c < (sums ? t->ncolours : 1); c++) {
+#pragma omp for schedule(dynamic)
+        for (int k = t->colour_start[c]; k < (sums ? t->colour_start[c + 1] : t->nchunks); k++)
             work(t, t->chunk[k], job);
     }
 }
@@ -237,7 +242,8 @@ void triangle_hessian_values(const struct discretisation *d, const double *restr
  * phi counts it from the mean of the faces' normals:
  *   dphi_e = dgamma_e - Sum_faces share_i Sum_k p_ik N.dv_k. */
 
-LANES_INLINE void normal_turn(const struct triangle_batch *b, const double *x, struct triangle_shape *shape, lanes p[3][3])
+LANES_INLINE void normal_turn(const struct triangle_batch *b, const double *x, struct triangle_shape *shape,
+                              lanes p[3][3])
 {
     struct vec v[3];
     LANES_UNROLL

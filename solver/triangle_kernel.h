@@ -142,7 +142,8 @@ LANES_INLINE void triangle_angle(const struct triangle_state *x, const struct tr
                                  const struct triangle_across *a, struct triangle_angles *alpha)
 {
     struct vec sum = vec_add(t->normal, a->normal);
-    lanes cc = 0.25 * vec_dot(sum, sum) + 1e-280, rch = lanes_rsqrt(cc), ch = cc * rch;     /* folded flat: still a number */
+    lanes cc = 0.25 * vec_dot(sum, sum) + 1e-280;       /* folded flat onto itself: still a number */
+    lanes rch = lanes_rsqrt(cc), ch = cc * rch;
     lanes sh = 0.5 * vec_dot(vec_cross(t->normal, a->normal), t->e[i]) * t->rl[i] * rch;
     lanes sphi, cphi;
     triangle_sincos(&x->phi[i], &sphi, &cphi);
@@ -253,9 +254,11 @@ LANES_INLINE void triangle_clamp(lanes kappa[3])
 }
 
 /* Second derivatives by (q_0 q_1 q_2) and (alpha_0 alpha_1 alpha_2): fqq, fqa[j][i] by q_j and alpha_i, faa.
- * With C_m, C_b the elasticity in terms of q and w, dw_i/dq_j = w_i L_ij/2, L_ij = D_j - delta_ij/q_i, dw_i/dalpha_i = a_i,
+ * With C_m, C_b the elasticity in terms of q and w, and W the derivatives of w,
+ *   dw_i/dq_j = w_i L_ij/2,   L_ij = D_j - delta_ij/q_i,   dw_i/dalpha_i = a_i = h_i cos(alpha_i),
  *   F = C_m + W^T C_b W + Sum_i fw_i hess w_i,
- *   d2w_i/dq_j dq_k = w_i (L_ij L_ik/4 + (D_jk - D_j D_k + delta_ij delta_ik/q_i^2)/2),  D_jk = +-1/(2 (2A)^2), - if j = k,
+ *   d2w_i/dq_j dq_k = w_i (L_ij L_ik/4 + (D_jk - D_j D_k + delta_ij delta_ik/q_i^2)/2),
+ *   D_jk = 1/(2 (2A)^2), its negative if j = k,
  *   d2w_i/dq_j dalpha_i = a_i L_ij/2,   d2w_i/dalpha_i^2 = -w_i;
  * the semidefinite version leaves the last sum out. */
 LANES_INLINE void triangle_second(const struct triangle_material *m, const struct triangle_rest *rest,
@@ -318,8 +321,9 @@ LANES_INLINE void triangle_second(const struct triangle_material *m, const struc
 /* The element's Hessian in increments of corners and of gamma_i, the angle of edge i's normal from a frame that
  * follows the edge without twist:  alpha_i = side_i gamma_i - psi_i,  psi_i the angle of N in that frame,
  *   grad_k psi_i = p_ik N,  p_ik = g_k . y_i  (triangle_turn),  y_i = N x e_i/|e_i|,
- *   hess_km psi_i = -p_im N g_k^T - p_ik g_m N^T - c_ik c_im/(2 q_i) (N y_i^T + y_i N^T),  c = -1, +1, 0 at v_i, v_{i+1}, v_{i+2},
- *   H = J^T F J + Sum_i 2 kappa_i (c_ik c_im) 1 - Sum_i dU/dalpha_i hess psi_i,   dq_i/dv_k = 2 c_ik e_i.
+ *   hess_km psi_i = -p_im N g_k^T - p_ik g_m N^T - c_ik c_im/(2 q_i) (N y_i^T + y_i N^T),
+ *   H = J^T F J + Sum_i 2 kappa_i (c_ik c_im) 1 - Sum_i dU/dalpha_i hess psi_i,   dq_i/dv_k = 2 c_ik e_i,
+ *   c_ik = -1, +1, 0 for v_k at the start of edge i, at its end, off it.
  * In the face's own axes (e_0/|e_0|, N x e_0/|e_0|, N) edges and g are plane and psi moves along N only; each
  * block is made there and turned.  The semidefinite version clamps kappa and leaves hess psi out. */
 LANES_INLINE void triangle_hessian(const struct triangle_material *m, const struct triangle_rest *rest,

@@ -25,26 +25,56 @@ static int face_node(const struct triangle_mesh *m, int f, int k)
     return k < 3 ? m->face[f][k] : m->nvertices + m->face_edge[f][k - 3];
 }
 
-/* Order of elimination -> first unknown of each node; visit: the faces as threads take them. */
+/* Strips across the longer side, at least three cells thick: those one apart share no unknown, so two colours do. */
+static void cut_strips(struct triangle *t, const int *cell, int *visit)
+{
+    const struct triangle_mesh *m = t->mesh;
+    int nsplit = triangle_mesh_nsplit(m), cells = m->nx * m->ny, lines = m->nx > m->ny ? m->nx : m->ny;
+    t->nchunks = lines / 3 < 1 ? 1 : lines / 3 > TRIANGLE_CHUNKS ? TRIANGLE_CHUNKS : lines / 3;
+    int *next = MEMORY_ARRAY(int, t->nchunks + 1), *strip = MEMORY_ARRAY(int, cells);
+    for (int c = 0; c < cells; c++) {
+        int line = m->nx > m->ny ? cell[c] % m->nx : cell[c] / m->nx;
+        strip[c] = (int)((long)line * t->nchunks / lines);
+        next[strip[c] + 1] += nsplit;
+    }
+    for (int k = 0; k < t->nchunks; k++)
+        t->chunk_start[k + 1] = next[k + 1] += next[k];
+    for (int c = 0; c < cells; c++)
+        for (int k = 0; k < nsplit; k++)
+            visit[next[strip[c]]++] = cell[c] * nsplit + k;
+    free(next);
+    free(strip);
+}
+
+/* Runs of faces as they come. */
+static void cut_runs(struct triangle *t, int *visit)
+{
+    int nfaces = t->mesh->nfaces, length = (nfaces + TRIANGLE_CHUNKS - 1) / TRIANGLE_CHUNKS;
+    length = length < 128 ? 128 : length;
+    t->nchunks = (nfaces + length - 1) / length;
+    for (int f = 0; f < nfaces; f++)
+        visit[f] = f;
+    for (int c = 0; c < t->nchunks; c++)
+        t->chunk_start[c + 1] = (c + 1) * length < nfaces ? (c + 1) * length : nfaces;
+}
+
+/* Order of elimination -> first unknown of each node.  visit, chunk_start: the faces as threads take them. */
 static void number_unknowns(struct triangle *t, int *visit)
 {
     const struct triangle_mesh *m = t->mesh;
     int nnodes = m->nvertices + m->nedges, parts[2] = {0, 0};
-    int *order = memory_array((size_t)nnodes, sizeof *order);
-    t->vertex_at = memory_array((size_t)m->nvertices, sizeof *t->vertex_at);
-    t->edge_at   = memory_array((size_t)m->nedges, sizeof *t->edge_at);
+    int *order = MEMORY_ARRAY(int, nnodes);
+    t->vertex_at = MEMORY_ARRAY(int, m->nvertices);
+    t->edge_at   = MEMORY_ARRAY(int, m->nedges);
     if (m->nx > 0) {
-        int nsplit = triangle_mesh_nsplit(m), cells = m->nx * m->ny;
-        int *cell = memory_array((size_t)cells, sizeof *cell);
+        int *cell = MEMORY_ARRAY(int, m->nx * m->ny);
         triangle_mesh_dissect(m, order, cell, parts);
-        for (int f = 0; f < m->nfaces; f++)
-            visit[f] = cell[f / nsplit] * nsplit + f % nsplit;
+        cut_strips(t, cell, visit);
         free(cell);
     } else {
         for (int k = 0; k < nnodes; k++)
             order[k] = k;
-        for (int f = 0; f < m->nfaces; f++)
-            visit[f] = f;
+        cut_runs(t, visit);
     }
     int n = 0;
     for (int k = 0; k < nnodes; k++) {
@@ -244,25 +274,23 @@ static void fill_batch(struct triangle *t, const int *face, int count)
     t->nbatches++;
 }
 
-/* Faces in the order of visit -> chunks of like length -> batches of one shape each. */
+/* Chunks of faces -> batches of one shape each; chunk_start counts faces before, batches after. */
 static void make_batches(struct triangle *t, const int *visit)
 {
     const struct triangle_mesh *m = t->mesh;
-    int nshapes = m->nshapes ? m->nshapes : 1;
-    int length = (m->nfaces + TRIANGLE_CHUNKS - 1) / TRIANGLE_CHUNKS;
-    length = length < 128 ? 128 : (length + 31) / 32 * 32;
-    t->nchunks = (m->nfaces + length - 1) / length;
+    int nshapes = m->nshapes ? m->nshapes : 1, end = 0;
     size_t room = (size_t)(m->nfaces / LANES + nshapes * t->nchunks);
     t->batch = memory_array(room, sizeof *t->batch);
     t->slots = memory_array(room, sizeof *t->slots);
     t->nrest = m->nshapes ? m->nshapes : (int)room;
-    t->rest  = memory_array((size_t)t->nrest, sizeof *t->rest);
+    t->rest  = MEMORY_ARRAY(struct triangle_rest, t->nrest);
     for (int c = 0; c < t->nchunks; c++) {
-        int end = (c + 1) * length < m->nfaces ? (c + 1) * length : m->nfaces;
+        int start = end;
+        end = t->chunk_start[c + 1];
         t->chunk_start[c] = t->nbatches;
         for (int s = 0; s < nshapes; s++) {
             int face[LANES], count = 0;
-            for (int p = c * length; p < end; p++) {
+            for (int p = start; p < end; p++) {
                 if (m->nshapes && m->shape[visit[p]] != s)
                     continue;
                 face[count++] = visit[p];

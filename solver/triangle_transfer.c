@@ -13,7 +13,7 @@
 
 enum { REACH = 5 };
 
-/* Lagrange's weights of value and slope at u on the lines low..high: of the four lines around u, of five where u is one. */
+/* Lagrange's weights of value and slope at u on the lines low..high: of the four around u, of five where u is one. */
 struct interpolant {
     int    first, count;
     double value[REACH], slope[REACH];
@@ -166,7 +166,8 @@ static void sample_points(const struct triangle *t, const double *x, struct surf
         for (int i = 0; i <= s->nx; i++) {
             size_t at = 3 * ((size_t)j * (size_t)(s->nx + 1) + (size_t)i);
             double ru[3], rv[3], *r = s->position + at, *n = s->normal + at;
-            surface_at(t, x, interpolant_at(0, t->mesh->nx, i * step), interpolant_at(0, t->mesh->ny, j * step), r, ru, rv);
+            surface_at(t, x, interpolant_at(0, t->mesh->nx, i * step), interpolant_at(0, t->mesh->ny, j * step), r,
+                       ru, rv);
             n[0] = ru[1] * rv[2] - ru[2] * rv[1];
             n[1] = ru[2] * rv[0] - ru[0] * rv[2];
             n[2] = ru[0] * rv[1] - ru[1] * rv[0];
@@ -205,7 +206,8 @@ static void sample_cells(const struct triangle *t, const struct cell *cell, stru
                     cell_add(&sum, &cell[b * m->nx + a], (fmin(a + 1, u + step) - fmax(a, u)) *
                                                          (fmin(b + 1, v + step) - fmax(b, v)));
             double a11 = sum.metric[0] / sum.area, a22 = sum.metric[1] / sum.area, a12 = sum.metric[2] / sum.area;
-            double b11 = sum.curvature[0] / sum.area, b22 = sum.curvature[1] / sum.area, b12 = sum.curvature[2] / sum.area;
+            double b11 = sum.curvature[0] / sum.area, b22 = sum.curvature[1] / sum.area;
+            double b12 = sum.curvature[2] / sum.area;
             double det = a11 * a22 - a12 * a12;
             size_t at = (size_t)j * (size_t)s->nx + (size_t)i;
             s->mean[at]       = 0.5 * (a22 * b11 + a11 * b22 - 2 * a12 * b12) / det;

@@ -69,6 +69,26 @@ static void gradient_is_the_differences(void **unused)
     }
 }
 
+/* One stitch, one course, one wale: a grid may be a single cell wide. */
+static void narrow_sheets_are_sheets(void **unused)
+{
+    (void)unused;
+    const int size[][2] = {{1, 1}, {1, 7}, {40, 1}, {3, 100}};
+    for (int k = 0; k < 3 * 4 * 2; k++) {
+        struct sheet *sheet = full_sheet(size[k % 4][0], size[k % 4][1], (enum diagonals)(k / 8));
+        struct discretisation *d = triangle_make(sheet, 1 + k / 4 % 2, 2), *fine = triangle_make(sheet, 3, 1);
+        double *x = difference_state(d, 0.2), *y = MEMORY_ARRAY(double, fine->n);
+        assert_true(difference_gradient_error(d, x) < 1e-8);
+        assert_true(difference_hessian_error(d, x) < 1e-7);
+        d->op->prolong(d, x, fine, y);
+        assert_true(isfinite(fine->op->energy(fine, y, 1, NULL).total));
+        free(x);
+        free(y);
+        fine->op->free(fine);
+        release(d, sheet);
+    }
+}
+
 static void hessian_is_the_differences(void **unused)
 {
     (void)unused;
@@ -246,6 +266,7 @@ static void any_number_of_threads_gives_the_same_bits(void **unused)
     for (int kind = 0; kind < 3; kind++) {
         struct sheet *sheet = full_sheet(30, 26, (enum diagonals)kind);
         struct discretisation *d = triangle_make(sheet, 2, 1);
+        assert_int_equal(((const struct triangle *)d)->ncolours, 2);
         size_t n = (size_t)d->n, entries = (size_t)d->pattern.start[d->n];
         double *x = difference_state(d, 0.1), *g[2], *z[2], *value[2];
         struct fold_energy e[2];
@@ -343,6 +364,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gradient_is_the_differences),
         cmocka_unit_test(hessian_is_the_differences),
+        cmocka_unit_test(narrow_sheets_are_sheets),
         cmocka_unit_test(cotangent_is_the_transpose),
         cmocka_unit_test(semidefinite_is_semidefinite),
         cmocka_unit_test(hessians_meet_at_rest),

@@ -82,7 +82,8 @@ static void aligned_roll_is_exact(void **unused)
         }
         for (int j = 0; j < other; j++)
             for (int end = 0; end < 2; end++)
-                x[t->edge_at[across ? triangle_mesh_edge_x(m, j, end * n) : triangle_mesh_edge_y(m, end * n, j)]] = -half;
+                x[t->edge_at[across ? triangle_mesh_edge_x(m, j, end * n) : triangle_mesh_edge_y(m, end * n, j)]] =
+                    -half;
         struct fold_energy e = d->op->energy(d, x, 1, g);
         assert_true(e.total < 1e-28);
         assert_true(sqrt(difference_dot(d->n, g, g)) < 1e-13);

@@ -14,7 +14,7 @@
 #include "tests/solver/differences.h"
 #include "tests/solver/scenes.h"
 
-/* A sheet that wants to be the roll of curvature k along x, and that roll (angles of the boundary still to be found). */
+/* A sheet that wants to be the roll of curvature k along x, and that roll (angles of its boundary still missing). */
 static const double k = -0.5;
 
 static struct sheet *roll_sheet(int kind)
@@ -59,7 +59,8 @@ static void flat_stays_flat(void **unused)
     const int level[][2] = {{1, 2}, {2, 4}, {3, 4}, {4, 6}};
     for (int test = 0; test < 12; test++) {
         struct sheet *sheet = roll_sheet(test / 4);
-        struct discretisation *a = triangle_make(sheet, level[test % 4][0], 1), *b = triangle_make(sheet, level[test % 4][1], 1);
+        struct discretisation *a = triangle_make(sheet, level[test % 4][0], 1);
+        struct discretisation *b = triangle_make(sheet, level[test % 4][1], 1);
         double *x = difference_state(a, 0), *y = MEMORY_ARRAY(double, b->n), *flat = difference_state(b, 0);
         a->op->prolong(a, x, b, y);
         for (int i = 0; i < b->n; i++)
@@ -123,8 +124,9 @@ static void sample_is_the_surface(void **unused)
                     assert_true(fabs(r[1] - j * 1.2 / per) < 1e-12);
                     assert_true(fabs(n[0] + sin(angle)) < 3e-3 && fabs(n[1]) < 1e-12 && fabs(n[2] - cos(angle)) < 3e-3);
                     assert_true(fabs(u[0] - (r[0] - i * 1.4 / per)) < 1e-12 && u[2] == r[2]);
+                    int corner = triangle_mesh_corner(t->mesh, i * 4 / per, j * 4 / per);
                     if (4 % per == 0)
-                        assert_true(fabs(r[0] - x[t->vertex_at[triangle_mesh_corner(t->mesh, i * 4 / per, j * 4 / per)]]) < 1e-14);
+                        assert_true(fabs(r[0] - x[t->vertex_at[corner]]) < 1e-14);
                 }
             for (int c = 0; c < s.nx * s.ny; c++) {
                 stretching += s.stretching[c] * area;
