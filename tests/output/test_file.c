@@ -161,7 +161,8 @@ static void folders_and_files_under_files_are_refused(void **state)
     assert_false(file_check(&p->log, under));
     assert_false(file_check(&p->log, p->folder));
     assert_false(file_check(&p->log, ""));
-    assert_false(file_check(&p->log, "/proc/x.txt"));
+    if (access("/proc/self", F_OK) == 0)    /* where not even root makes files */
+        assert_false(file_check(&p->log, "/proc/x.txt"));
     assert_text(p->path, "old");
 }
 
