@@ -11,4 +11,5 @@ EXAMPLES = examples/bars.knit \
     examples/squiggles.knit \
     examples/stockinette.knit \
     examples/weave.knit
-EXTRA_DIST += $(EXAMPLES)
+examplesdir = $(pkgdatadir)/examples
+dist_examples_DATA = $(EXAMPLES)

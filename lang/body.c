@@ -10,7 +10,7 @@
 #include "lang/row_fit.h"
 #include "lang/vocabulary.h"
 
-static struct work *lower_items(struct eval *, struct where, const struct item *);
+static bool lower_items(struct eval *, struct where, const struct item *, struct work **first);
 
 /* ---- stitches and groups ---- */
 
@@ -78,34 +78,40 @@ static bool lower_stitch(struct eval *eval, struct where where, const struct ite
     return true;
 }
 
-static struct work *lower_item(struct eval *eval, struct where where, const struct item *item, bool alone)
+/* False after an error; *to is left NULL for nothing at all: `k0`, `(p0) twice`. */
+static bool lower_item(struct eval *eval, struct where where, const struct item *item, bool alone,
+                       struct work **to)
 {
     struct work *work = work_new(eval, item);
 
-    if (!eval_step(eval, item->span) || !lower_until(eval, where, item, work))
-        return NULL;
-    if (item->kind == ITEM_STITCH)
-        return lower_stitch(eval, where, item, alone, work) ? work : NULL;
-    work->child = lower_items(eval, where, item->child);
-    return work->child ? work : NULL;
+    if (!eval_step(eval, item->span) || eval->items >= LIMIT_ITEMS || !lower_until(eval, where, item, work))
+        return false;
+    if (item->kind == ITEM_STITCH) {
+        if (!lower_stitch(eval, where, item, alone, work))
+            return false;
+        *to = work->length ? work : NULL;
+        return true;
+    }
+    if (!lower_items(eval, where, item->child, &work->child))
+        return false;
+    *to = work->child ? work : NULL;
+    if (*to || work->until == WORK_TIMES)
+        return true;
+    diag_error(eval->diag, CODE_ROW_REPEAT, item->span, "there is nothing to work here");
+    return false;
 }
 
-/* NULL after an error, or for nothing at all (`k0`). */
-static struct work *lower_items(struct eval *eval, struct where where, const struct item *item)
+static bool lower_items(struct eval *eval, struct where where, const struct item *item, struct work **first)
 {
-    struct work *first = NULL, **last = &first;
     bool alone = item && !item->next, good = true;
 
+    *first = NULL;
     for (; item; item = item->next) {
-        struct work *work = lower_item(eval, where, item, alone);
-
-        good &= work != NULL;
-        if (!work || (!work->child && !work->length))
-            continue;
-        *last = work;
-        last = &work->next;
+        good &= lower_item(eval, where, item, alone, first);
+        if (*first)
+            first = &(*first)->next;
     }
-    return good && eval->items < LIMIT_ITEMS ? first : NULL;
+    return good;
 }
 
 /* ---- row numbers ---- */
@@ -194,8 +200,7 @@ static bool lower_body(struct eval *eval, struct where where, const struct row *
         text->check = text->check < 0 ? other->check : text->check;
         return true;
     }
-    text->work = lower_items(eval, where, row->item);
-    if (!text->work || eval->items >= LIMIT_ITEMS)
+    if (!lower_items(eval, where, row->item, &text->work))
         return false;
     return work_measure(eval->diag, text->work, &length);
 }

@@ -164,8 +164,12 @@ static long long open_width(struct compilation *c, const struct body *body)
 
     if (!rows_fit(body->rows, &fit) || !rows_good(body->rows))
         return 0;
-    if (!fit.multiple)
+    if (!fit.multiple && fit.plus)
         return fit.plus;
+    if (!fit.multiple) {
+        diag_error(diag, CODE_EMPTY_MOTIF, body->first, "these rows have no stitch");
+        return 0;
+    }
     diag_error(diag, CODE_ROW_WIDTH, body->first, "how many stitches these rows are worked over is not said");
     if (fit.multiple > 1)
         diag_hint(diag, "begin with `Cast on %lld sts`, or another multiple of %lld + %lld",
@@ -173,6 +177,28 @@ static long long open_width(struct compilation *c, const struct body *body)
     else
         diag_hint(diag, "begin with `Cast on 20 sts`");
     return 0;
+}
+
+/* `Multiple of 4 + 2` at the top of the file: the cast-on must be one. */
+static bool check_multiple(struct compilation *c, const struct body *body)
+{
+    struct eval *eval = &c->eval;
+    const struct multiple *multiple = &body->multiple;
+    struct where where = {eval->main, NULL};
+    long long of, plus = 0;
+
+    if (!multiple->of)
+        return true;
+    if (!eval_whole(eval, where, multiple->of, 1, LIMIT_STITCHES, "the multiple", &of) ||
+        (multiple->plus &&
+         !eval_whole(eval, where, multiple->plus, 0, LIMIT_STITCHES, "the stitches added", &plus)))
+        return false;
+    if (!body->cast_on || (body->cast_on >= of + plus && (body->cast_on - plus) % of == 0))
+        return true;
+    diag_error(eval->diag, CODE_FIT, body->cast_on_span, "%lld is not a multiple of %lld + %lld",
+               body->cast_on, of, plus);
+    diag_note(eval->diag, multiple->span, "which the pattern asks for");
+    return false;
 }
 
 static const struct grid *grid_of_body(struct compilation *c, struct body *body)
@@ -188,6 +214,8 @@ static const struct grid *grid_of_body(struct compilation *c, struct body *body)
         diag_error(eval->diag, CODE_EMPTY_MOTIF, body->first, "there is no row to knit");
         return NULL;
     }
+    if (!check_multiple(c, body))
+        return NULL;
     if (!width)
         width = open_width(c, body);
     if (!width || !fabric_size(eval, body->first, width, rows_count(body->rows)))

@@ -263,6 +263,7 @@ simple:
 | FOR name IN range '{' lines '}'       { $$ = stmt_for(parse, span_join(@1, @4), $name, $range, $lines.first); }
 | CHART chart_key '{' chart_lines '}'   { $$ = stmt_chart(parse, span_join(@1, @2), $2.first, $4.first); }
 | CAST_ON count sts                     { $$ = stmt_expr(parse, STMT_CAST_ON, @$, $count); }
+| CAST_ON multiple                      { $$ = stmt_multiple(parse, $multiple); }
 | multiple                              { $$ = stmt_multiple(parse, $multiple); }
 ;
 

@@ -38,7 +38,7 @@ bool work_measure(struct diag *diag, struct work *work, long long *length)
                            "inside a repeat the number of times must be given");
                 return false;
             }
-        if (work->length < 1) {
+        if (work->length < 1 && work->until != WORK_TIMES) {
             diag_error(diag, CODE_ROW_REPEAT, work->span, "there is nothing to work here");
             return false;
         }

@@ -267,7 +267,8 @@ static void flush(struct row_list *list)
             return;
         list->last_label = label;
     }
-    memset(list->pending, 0, (size_t)list->npending * sizeof *list->pending);
+    for (int i = 0; i < list->npending; i++)
+        list->pending[i] = NULL;
     list->first = list->last_label + 1;
     list->npending = 0;
 }

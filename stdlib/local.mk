@@ -10,7 +10,9 @@ STDLIB = stdlib/bars.knit \
     stdlib/seed.knit \
     stdlib/squiggles.knit \
     stdlib/weave.knit
-EXTRA_DIST += $(STDLIB) stdlib/embed.awk
+stdlibdir = $(pkgdatadir)/stdlib
+dist_stdlib_DATA = $(STDLIB)
+EXTRA_DIST += stdlib/embed.awk
 CLEANFILES += stdlib/embedded.c
 nodist_liblang_a_SOURCES = stdlib/embedded.c
 stdlib/embedded.c: $(STDLIB) stdlib/embed.awk

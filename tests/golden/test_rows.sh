@@ -89,10 +89,19 @@ grid 'let n = 2|Cast on {2 * n}|Row {n - 1}: [k1, p1] {n} times' 'PKPK'
 grid 'for i in 1..3 {|Row {i}: k{i}, p{4 - i}|}' 'PPPK PPKK PKKK'
 grid 'for i in [1, 2] { if i == 1 { Row 1: k2 } else { Row 2: k2 } }' 'KK PP'
 grid 'Cast on 2|Row 1: k0, p2' 'PP'
+grid 'Cast on 2|Row 1: (k0) twice, p2, (k1) 0 times' 'PP'
+wrong E0303 'Cast on 2|Row 1: p0' 'row 1 works 0 stitches'
+wrong E0404 'Row 1: p0' 'have no stitch'
+wrong E0309 'Cast on 2|Row 1: *p0; rep from *' 'nothing to work'
+wrong E0309 'Cast on 2|Row 1: *(k1) 0 times; rep from *' 'nothing to work'
 
 # Own stitches: their names, their symbols, what they show from behind.
 grid 'stitch T { kx = 1; symbol = "t" }|Row 1: t2, p1|Row 2: T1, k2' 'Ptt tPP'
 grid 'stitch A { symbol = "a"; ws = B }|stitch B { symbol = "b"; ws = A }|Row 1: a2, b1|Row 2: a2, b1' 'baa bba'
+
+grid 'Multiple of 2 sts plus 1|Cast on 5 sts|Row 1: *k1, p1; rep from * to last st, k1' 'KPKPK'
+wrong E0401 'Multiple of 2 + 1|Cast on 4|Row 1: k4' '4 is not a multiple of 2 + 1'
+wrong E0310 'Cast on a multiple of 2 sts plus 1|Row 1: *k1, p1; rep from * to last st, k1' 'not said'
 
 # What does not come out.
 wrong E0303 'Cast on 24|Row 1: k23' 'row 1 works 23 stitches, but 24 are cast on'
