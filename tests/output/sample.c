@@ -61,7 +61,7 @@ struct surface sample_surface(int per_stitch)
 void sample_folder(char folder[PATH_MAX])
 {
     const char *parent = getenv("TMPDIR");
-    snprintf(folder, PATH_MAX, "%s/weft-test-XXXXXX", parent ? parent : "/tmp");
+    snprintf(folder, PATH_MAX, "%s/weft-test-XXXXXX", parent ? parent : P_tmpdir);
     if (!mkdtemp(folder)) {
         perror(folder);
         exit(1);
