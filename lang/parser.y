@@ -149,6 +149,8 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token <number> TWICE   "'twice'"
 %token CROSS            "'x' (times)"
 %token AS_ROW           "'as row'"
+%token <number> AS_NTH_ROW "'as 3rd row'"
+%token BIND_OFF         "'bind off'"
 %token AS_BELOW         "'knit the knits and purl the purls'"
 %token DASH             "'--'"
 %token HOLE             "'{' of a number"
@@ -237,6 +239,7 @@ newline: NEWLINE                        { yyerrok; };
 line:
   %empty                                { $$ = NULL; }
 | statement
+| BIND_OFF                              { $$ = NULL; }
 | error                                 { $$ = NULL; }
 ;
 
@@ -387,6 +390,7 @@ row_body:
   elements                              { $$ = (struct row){.item = $1.first}; }
 | elements check                        { $$ = (struct row){.item = $1.first, .check = $check, .check_span = @check}; }
 | AS_ROW count                          { $$ = (struct row){.body = BODY_AS_ROW, .reference = $count}; }
+| AS_NTH_ROW                            { $$ = (struct row){.body = BODY_AS_ROW, .reference = expr_number(parse, @1, $1.value, 0)}; }
 | AS_BELOW                              { $$ = (struct row){.body = BODY_AS_BELOW}; }
 ;
 
@@ -414,6 +418,8 @@ item:
 | NAME count TIMES                      { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, $count, span_join(@2, @3)}); }
 | '(' items ')' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }
 | '[' items ']' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }
+| '(' items ')' REP until               { $$ = item_group(parse, ITEM_STARS, @$, $items.first, $until); }
+| '[' items ']' REP until               { $$ = item_group(parse, ITEM_STARS, @$, $items.first, $until); }
 ;
 
 until:

@@ -14,7 +14,7 @@ limit() {
     status=0
     (
         # The sanitizers reserve more than any limit; they have their own.
-        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 20
+        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 5
         exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
     ) || status=$?
     if [ $status = 3 ] && grep -q "\[$1\]" "$work/out"; then
