@@ -27,11 +27,15 @@ whole() {
     )
 }
 
+# Under nohup a hang-up is ignored, and stays so in what is started; undo that for the runs below.
+listening=
+env --default-signal=HUP true 2>/dev/null && listening='env --default-signal=HUP'
+
 # stop SIGNAL: starts a run, sends the signal once the second step stands.
 stop() {
     folder=$work/$1
     mkdir "$folder"
-    "$WEFT" run "$work/slow.knit" -o "$folder/x.pvd" -o "$folder/y.vtp" -o "$folder/r.json" \
+    $listening "$WEFT" run "$work/slow.knit" -o "$folder/x.pvd" -o "$folder/y.vtp" -o "$folder/r.json" \
         >"$work/out" 2>"$work/err" &
     job=$!
     tries=0
