@@ -12,6 +12,7 @@
 
 #include "solver/descent.h"
 #include "solver/estimate.h"
+#include "solver/fold_state.h"
 #include "solver/levels.h"
 #include "solver/memory.h"
 #include "solver/noise.h"
@@ -20,12 +21,6 @@
 
 static const double GROWING = 1e-4;     /* tolerance of a growth step, young * thickness^2 */
 static const double COARSE = 1e-6;      /* tolerance of a level that is refined further */
-
-struct fold_state {
-    struct discretisation *d;
-    double                *x;           /* (n) */
-    double                 growth;
-};
 
 struct fold {
     const struct sheet         *sheet;

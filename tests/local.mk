@@ -2,3 +2,4 @@ include tests/golden/local.mk
 include tests/solver/local.mk
 include tests/output/local.mk
 include tests/cli/local.mk
+include tests/stress/local.mk
