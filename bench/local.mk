@@ -1,4 +1,18 @@
-# What things cost: `make bench/triangle_kernel` and so on; not built by `make`.
+# What things cost.  `make bench` measures weft; the programs here are not built by `make`.
 EXTRA_PROGRAMS += bench/triangle_kernel
 bench_triangle_kernel_SOURCES = bench/triangle_kernel.c
 bench_triangle_kernel_LDADD = libsolver.a $(LIBRARIES_OF_OTHERS)
+
+EXTRA_DIST += bench/run.sh bench/lib.sh bench/report.awk bench/estimate.sh \
+    bench/scenes/bars.knit bench/scenes/basketweave.knit bench/scenes/chains.knit bench/scenes/checkerboard.knit \
+    bench/scenes/columns.knit bench/scenes/garter.knit bench/scenes/miura.knit bench/scenes/miura_2x2.knit \
+    bench/scenes/miura_4x4.knit bench/scenes/peaks.knit bench/scenes/rib2x2.knit bench/scenes/seed.knit \
+    bench/scenes/squiggles.knit bench/scenes/stockinette.knit bench/scenes/weave.knit
+
+# About fifteen minutes; the plots want gnuplot.
+bench: weft
+	srcdir='$(srcdir)' WEFT=./weft sh '$(srcdir)/bench/run.sh'
+clean-local-bench:
+	-rm -rf bench/results
+clean-local: clean-local-bench
+.PHONY: bench clean-local-bench
