@@ -12,7 +12,7 @@
 #include "solver/memory.h"
 #include "solver/stopwatch.h"
 
-enum { REFRESH = 20, HISTORY = 8, LANES_OF_LBFGS = 8 };
+enum { REFRESH = 30, HISTORY = 8, LANES_OF_LBFGS = 8 };
 
 enum { STOP_CONVERGED = 1, STOP_REFRESH, STOP_LIMIT, STOP_OBSERVER, STOP_FINITE };
 
