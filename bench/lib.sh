@@ -3,15 +3,15 @@
 # Times are CPU seconds (user + system, one thread unless said) and wall seconds; the
 # median of BENCH_RUNS runs, of one run where that took longer than BENCH_ONCE seconds.
 set -eu
-: "${srcdir:=.}" "${BENCH_RUNS:=3}" "${BENCH_ONCE:=15}" "${BENCH_LIMIT:=300}"
+: "${srcdir:=.}" "${BENCH_RUNS:=3}" "${BENCH_ONCE:=5}"
+: "${BENCH_LIMIT:=$([ -n "${BENCH_LARGE:-}" ] && echo 3600 || echo 120)}"
 weft=${WEFT:-./weft}
 bench=$srcdir/bench
 scenes=$bench/scenes
 results=bench/results
-work=bench/results/work
+work=bench/results/work/$(basename "$0" .sh)
 mkdir -p "$work"
 
-# Stands in for the figures of runs that have no report.
 report=$work/report.json
 
 seconds_of()    # "0m1.5s 0m0.1s" -> 1.6

@@ -3,14 +3,19 @@ EXTRA_PROGRAMS += bench/triangle_kernel
 bench_triangle_kernel_SOURCES = bench/triangle_kernel.c
 bench_triangle_kernel_LDADD = libsolver.a $(LIBRARIES_OF_OTHERS)
 
-EXTRA_DIST += bench/run.sh bench/lib.sh bench/report.awk bench/estimate.sh \
+EXTRA_PROGRAMS += bench/limits
+bench_limits_SOURCES = bench/limits.c
+bench_limits_LDADD = libsolver.a $(LIBRARIES_OF_OTHERS)
+
+EXTRA_DIST += bench/run.sh bench/lib.sh bench/report.awk bench/limits.sh bench/skip.sh bench/estimate.sh \
+    bench/scaling.sh bench/gradient.sh bench/accuracy.sh bench/plot.sh bench/summary.sh \
     bench/scenes/bars.knit bench/scenes/basketweave.knit bench/scenes/chains.knit bench/scenes/checkerboard.knit \
-    bench/scenes/columns.knit bench/scenes/garter.knit bench/scenes/miura.knit bench/scenes/miura_2x2.knit \
-    bench/scenes/miura_4x4.knit bench/scenes/peaks.knit bench/scenes/rib2x2.knit bench/scenes/seed.knit \
+    bench/scenes/columns.knit bench/scenes/flat.knit bench/scenes/garter.knit bench/scenes/miura.knit bench/scenes/miura_2x2.knit \
+    bench/scenes/miura_4x4.knit bench/scenes/peaks.knit bench/scenes/rib2x2.knit bench/scenes/rib_small.knit bench/scenes/seed.knit \
     bench/scenes/squiggles.knit bench/scenes/stockinette.knit bench/scenes/weave.knit
 
 # About fifteen minutes; the plots want gnuplot.
-bench: weft
+bench: weft bench/limits$(EXEEXT)
 	srcdir='$(srcdir)' WEFT=./weft sh '$(srcdir)/bench/run.sh'
 clean-local-bench:
 	-rm -rf bench/results
