@@ -365,6 +365,36 @@ static void sample_cell(const struct patch *p, const double *x, double growth, d
                               p->plate.b2 * (k11 * k11 + k22 * k22 + 2 * k12 * k12));
 }
 
+/* Area over that at rest, at a Gauss point of an element. */
+static double stretch_of_area(const struct patch *p, const double *x, const int *first, int g)
+{
+    double d[2][3] = {{0}};
+    for (int a = 0; a < p->basis->count; a++) {
+        const double *r = x + first[a / p->basis->per_node] + 3 * (a % p->basis->per_node);
+        for (int c = 0; c < 3; c++)
+            d[0][c] += p->N[g][D_P][a] * r[c], d[1][c] += p->N[g][D_Q][a] * r[c];
+    }
+    double pq = dot3(d[0], d[1]);
+    return sqrt(fmax(dot3(d[0], d[0]) * dot3(d[1], d[1]) - pq * pq, 0));
+}
+
+/* The energy stays finite where area vanishes, and the normal may jump there:
+ * where that pays, there is no minimum to find. */
+const char *patch_doubt(const struct discretisation *d, const double *x)
+{
+    static const double CRUSHED = 0.01;
+    const struct patch *p = (const struct patch *)d;
+    int first[9];
+    for (int e = 0; e < p->nx * p->ny; e++) {
+        patch_nodes(p, e, first);
+        for (int g = 0; g < p->ngauss; g++)
+            if (stretch_of_area(p, x, first, g) < CRUSHED)
+                return "the sheet is crushed to a hundredth of its area somewhere: with this thickness, curvature and "
+                       "Poisson's ratio it is no thin sheet";
+    }
+    return NULL;
+}
+
 void patch_sample(const struct discretisation *d, const double *x, double growth, struct surface *s)
 {
     const struct patch *p = (const struct patch *)d;

@@ -79,6 +79,7 @@ void patch_prolong(const struct discretisation *coarse, const double *x, const s
                    double *x_fine);
 void patch_restrict(const struct discretisation *coarse, double *gradient_coarse, const struct discretisation *fine,
                     const double *gradient_fine);
+const char *patch_doubt(const struct discretisation *d, const double *x);
 void patch_sample(const struct discretisation *d, const double *x, double growth, struct surface *surface);
 
 #endif

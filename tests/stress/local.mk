@@ -3,6 +3,11 @@ if HAVE_CMOCKA
 check_PROGRAMS += tests/stress/sweep
 tests_stress_sweep_SOURCES = tests/stress/sweep.c tests/stress/trial.c tests/stress/trial.h
 tests_stress_sweep_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS)
+
+check_PROGRAMS += tests/stress/test_rows
+tests_stress_test_rows_SOURCES = tests/stress/test_rows.c tests/stress/trial.c tests/stress/trial.h
+tests_stress_test_rows_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_stress_test_rows_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 endif
 
 stress: tests/stress/sweep$(EXEEXT)

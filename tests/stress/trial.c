@@ -166,6 +166,11 @@ struct trial trial_fold(const struct sheet *sheet)
     return t;
 }
 
+bool trial_crushed(const struct trial *trial)
+{
+    return trial->status == FOLD_FAILED && !trial->wrong && strstr(trial->remark, "crushed");
+}
+
 bool trial_apart(const struct sheet *sheet, int limit, struct trial *trial, char how[24])
 {
     int ends[2], status = 0;

@@ -24,7 +24,7 @@ struct trial {
     long             unknowns;
     double           energy, gradient, seconds;
     double           extent_x, extent_y, extent_z;
-    char             remark[120];
+    char             remark[160];
 };
 
 /* Folds with one thread and judges the result. */
@@ -33,6 +33,9 @@ struct trial trial_fold(const struct sheet *sheet);
 /* The same in a child process: false when it crashed or took longer than limit seconds;
  * how says which ("signal 11", "time"). */
 bool trial_apart(const struct sheet *sheet, int limit, struct trial *trial, char how[24]);
+
+/* Did the fold end because the sheet is crushed at a point (see patch_doubt), and say so? */
+bool trial_crushed(const struct trial *trial);
 
 /* Is the outcome a minimum, and nothing wrong with it? */
 static inline bool trial_good(const struct trial *trial)
