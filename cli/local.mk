@@ -13,6 +13,7 @@ libcli_a_SOURCES = \
     cli/progress.c cli/progress.h \
     cli/run.c \
     cli/script.c cli/script.h \
+    cli/seeds.c cli/seeds.h \
     cli/streams.c cli/streams.h \
     cli/version.c \
     cli/waiting.c cli/waiting.h

@@ -14,7 +14,7 @@
 #include "cli/command.h"
 #include "lang/names.h"
 
-enum { THREADS_MAX = 1024 };
+enum { THREADS_MAX = 1024, SEEDS_MAX = 1000 };
 
 /* ---- messages ---- */
 
@@ -64,17 +64,28 @@ static bool take_output(struct options *o, const struct option *option, const ch
     return true;
 }
 
-static bool take_threads(struct options *o, const struct option *option, const char *value)
+/* A number of things from 1 to most; 0 after saying what is wrong. */
+static int count_of(const struct options *o, const struct option *option, const char *value, const char *things, int most)
 {
-    (void)option;
     char *end;
     long n = strtol(value, &end, 10);
-    if (end == value || *end || n < 1 || n > THREADS_MAX) {
-        options_wrong(o, "-j takes a number of threads from 1 to %d, not '%s'", THREADS_MAX, value);
-        return false;
-    }
-    o->threads = (int)n;
-    return true;
+    if (end != value && !*end && n >= 1 && n <= most)
+        return (int)n;
+    options_wrong(o, "%s takes a number of %s from 1 to %d, not '%s'", option->name ? option->name : option->letter,
+                  things, most, value);
+    return 0;
+}
+
+static bool take_threads(struct options *o, const struct option *option, const char *value)
+{
+    o->threads = count_of(o, option, value, "threads", THREADS_MAX);
+    return o->threads > 0;
+}
+
+static bool take_seeds(struct options *o, const struct option *option, const char *value)
+{
+    o->seeds = count_of(o, option, value, "seeds", SEEDS_MAX);
+    return o->seeds > 0;
 }
 
 static bool take_flag(struct options *o, const struct option *option, const char *value)
@@ -118,6 +129,7 @@ const struct option option_table[] = {
     {NULL, "--per-stitch", "N", "run", take_override, "mesh.per_stitch", 0, "cells along a stitch's side: auto, 1, 2, 4"},
     {NULL, "--steps", "N", "run", take_override, "solve.steps", 0, "growth steps"},
     {NULL, "--seed", "N", "run", take_override, "solve.seed", 0, "seed of the starting noise"},
+    {NULL, "--seeds", "N", "run", take_seeds, NULL, 0, "fold from N seeds, list all, keep the lowest"},
     {"-j", NULL, "N", "run", take_threads, NULL, 0, "threads (default: one a processor)"},
     {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
     {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},

@@ -33,6 +33,7 @@ struct options {
     const char              *warnings;  /* "error", or NULL */
 
     int         threads;                /* 0 = all processors */
+    int         seeds;                  /* to fold from; 0 or 1: the scene's own */
     bool        quiet, verbose, dry_run, grid, json;
     bool        help, version;
     const char *color;                  /* "auto", "always", "never" */

@@ -12,6 +12,7 @@
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/script.h"
+#include "cli/seeds.h"
 #include "solver/forecast.h"
 #include "solver/sheet.h"
 
@@ -22,6 +23,8 @@ struct run {
     struct script         script;
     struct outputs        outputs;
     struct progress       progress;
+    struct seeds          seeds;        /* tried before the fold that is kept, if several were asked for */
+    uint64_t              seed;         /* of that fold */
     struct fold_record    record;
 };
 
@@ -38,6 +41,19 @@ static bool on_progress(void *self, double growth, int iterations, double energy
 {
     struct run *run = self;
     progress_iteration(&run->progress, growth, iterations, energy);
+    return !interrupt_asked();
+}
+
+/* While several seeds are tried nothing is written; each begins its own progress. */
+static bool on_trial_step(void *self, const struct fold_step *step, const struct fold_state *state)
+{
+    struct run *run = self;
+    (void)state;
+    if (step->growth == 0) {
+        progress_end(&run->progress);
+        run->progress = progress_begin(run->script.scene->solve.steps, run->options->quiet);
+    }
+    progress_step(&run->progress, step);
     return !interrupt_asked();
 }
 
@@ -102,6 +118,9 @@ static bool write_report(struct run *run)
         .source_size = run->script.source->size,
         .total_s = progress_clock() - run->begun,
         .compile_s = run->script.compile_s,
+        .nseeds = run->seeds.nresults,
+        .seed = run->seeds.result,
+        .kept_seed = run->seed,
         .peak_bytes = usage.ru_maxrss * 1024,
     };
     return outputs_report(&run->outputs, &report);
@@ -136,7 +155,7 @@ static enum status stopped(const struct run *run)
 /* ---- the run ---- */
 
 /* What a run would do. */
-static void print_plan(const struct scene *scene)
+static void print_plan(const struct scene *scene, int seeds)
 {
     struct sheet *sheet = sheet_build(scene);
     struct forecast forecast = forecast_fold(sheet);
@@ -145,10 +164,27 @@ static void print_plan(const struct scene *scene)
            scene->solve.steps);
     printf("%s%d per stitch: %ld unknowns, %ld elements\n", scene->mesh.per_stitch ? "" : "at least ", forecast.per_stitch,
            forecast.unknowns, forecast.elements);
+    if (seeds > 1) {    /* the one that is kept is folded once more */
+        printf("%d seeds\n", seeds);
+        forecast.seconds *= seeds + 1;
+    }
     printf("about %.*f s, %.2f GB\n", forecast.seconds < 10, forecast.seconds, forecast.bytes / 1e9);
     for (int i = 0; i < scene->noutputs; i++)
         printf("%s %s", i == 0 ? "would write" : ",", scene->output[i].path);
     printf("%s", scene->noutputs > 0 ? "\n" : "");
+}
+
+/* Where several seeds are asked for, leaves the sheet with the one to keep; false: interrupted. */
+static bool choose_seed(struct run *run, const struct fold_options *options, struct sheet *sheet)
+{
+    const struct fold_observer observer = {run, on_trial_step, on_progress};
+    if (run->options->seeds > 1 && !seeds_try(&run->seeds, run->options->seeds, sheet, options, &observer))
+        return false;
+    progress_end(&run->progress);
+    run->seed = sheet->solve.seed;
+    if (run->seeds.nresults > 0 && !run->options->quiet)
+        seeds_print(&run->seeds);
+    return true;
 }
 
 /* Folds the scene's swatch and writes all its outputs. */
@@ -160,6 +196,7 @@ static enum status fold_and_write(struct run *run)
     bool written = outputs_chart(&run->outputs);
 
     interrupt_ask_first();
+    written = written && choose_seed(run, &options, sheet);
     run->progress = progress_begin(run->script.scene->solve.steps, run->options->quiet);
     struct fold_state *state = written ? fold_run(sheet, &options, &observer, &run->record) : NULL;
     progress_end(&run->progress);
@@ -179,10 +216,11 @@ enum status command_run(const struct options *options)
     if (status == STATUS_DONE)
         status = outputs_begin(&run.outputs, run.script.scene);
     if (status == STATUS_DONE && options->dry_run)
-        print_plan(run.script.scene);
+        print_plan(run.script.scene, options->seeds);
     else if (status == STATUS_DONE)
         status = fold_and_write(&run);
     fold_record_free(&run.record);
+    seeds_free(&run.seeds);
     if (run.script.scene)
         outputs_end(&run.outputs);
     script_free(&run.script);

@@ -100,7 +100,7 @@ static void add_solve(cJSON *root, const struct report *report)
     json_integer(solve, "factorisations", r->factorisations);
     json_number(solve, "gradient_max", r->gradient_max);
     cJSON_AddBoolToObject(solve, "positive_definite", r->positive_definite);
-    json_unsigned(solve, "seed", report->scene->solve.seed);
+    json_unsigned(solve, "seed", report->kept_seed);
     json_integer(solve, "threads", r->threads);
     if (r->remark)
         json_text(solve, "remark", r->remark);
@@ -159,6 +159,21 @@ static void add_outputs(cJSON *root, const struct file_log *log)
     }
 }
 
+/* Only where several were asked for. */
+static void add_seeds(cJSON *root, const struct report *report)
+{
+    if (report->nseeds == 0)
+        return;
+    cJSON *seeds = cJSON_AddArrayToObject(root, "seeds");
+    for (const struct report_seed *r = report->seed; r < report->seed + report->nseeds; r++) {
+        cJSON *seed = cJSON_CreateObject();
+        json_unsigned(seed, "seed", r->seed);
+        json_number(seed, "energy", r->energy);
+        json_text(seed, "status", fold_status_name(r->status));
+        cJSON_AddItemToArray(seeds, seed);
+    }
+}
+
 bool report_write(struct file_log *log, const char *path, const struct report *report)
 {
     cJSON *root = cJSON_CreateObject();
@@ -169,6 +184,7 @@ bool report_write(struct file_log *log, const char *path, const struct report *r
     add_discretisation(root, report->record);
     add_energy(root, report->record);
     add_solve(root, report);
+    add_seeds(root, report);
     add_shape(root, report->record);
     add_steps(root, report->record);
     add_cost(root, report);

@@ -10,12 +10,22 @@
 
 enum { REPORT_SCHEMA = 1 };     /* changes when a reader of reports must */
 
+/* How a fold from one of several seeds ended. */
+struct report_seed {
+    uint64_t         seed;
+    double           energy;        /* force * length */
+    enum fold_status status;
+};
+
 struct report {
     const struct scene       *scene;
     const struct fold_record *record;
     const char               *source;               /* the script's text */
     size_t                    source_size;          /* bytes */
     double                    total_s, compile_s, write_s;      /* wall seconds */
+    int                       nseeds;               /* tried; 0: the scene's own alone */
+    const struct report_seed *seed;                 /* (nseeds) */
+    uint64_t                  kept_seed;            /* that this is the fold of */
     long                      peak_bytes;           /* of memory, the whole process */
 };
 

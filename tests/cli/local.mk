@@ -9,7 +9,8 @@ cli_tests = \
     tests/cli/options.sh \
     tests/cli/params.sh \
     tests/cli/progress.sh \
-    tests/cli/run.sh
+    tests/cli/run.sh \
+    tests/cli/seeds.sh
 check_SCRIPTS += $(cli_tests)
 EXTRA_DIST += $(cli_tests) tests/tap.sh
 
@@ -18,4 +19,4 @@ EXTRA_PROGRAMS += tests/cli/json
 tests_cli_json_SOURCES = tests/cli/json.c
 tests_cli_json_LDADD = $(CJSON_LIBS)
 CLEANFILES += tests/cli/json$(EXEEXT)
-tests/cli/check.sh.log tests/cli/options.sh.log tests/cli/params.sh.log tests/cli/run.sh.log: tests/cli/json$(EXEEXT)
+tests/cli/check.sh.log tests/cli/options.sh.log tests/cli/params.sh.log tests/cli/run.sh.log tests/cli/seeds.sh.log: tests/cli/json$(EXEEXT)

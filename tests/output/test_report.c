@@ -46,7 +46,7 @@ static int set_up(void **state)
     sample_folder(p->folder);
     snprintf(p->path, sizeof p->path, "%s/x.json", p->folder);
     struct report report = {
-        .scene = &sample_scene, .record = &record, .source = "abc", .source_size = 3,
+        .scene = &sample_scene, .record = &record, .kept_seed = UINT64_MAX, .source = "abc", .source_size = 3,
         .total_s = 1.5, .compile_s = 0.25, .write_s = 0.125, .peak_bytes = 1 << 20,
     };
     struct file *file = file_create(&p->log, "/dev/null");
