@@ -27,7 +27,7 @@ struct fold_options {
     long most_factored;     /* unknowns beyond which Newton's steps are found by conjugate gradients; 0 = FOLD_MOST_FACTORED */
 };
 
-enum { FOLD_MOST_FACTORED = 2000000 };
+enum { FOLD_MOST_FACTORED = 600000 };
 
 /* Folds the sheet.  Prints nothing; what went wrong is record->status and
  * record->remark.  The record is always filled; free with fold_record_free.

@@ -78,6 +78,86 @@ static void one_minimum_by_all_ways(void **state)
     sheet_free(s);
 }
 
+/* Where a level is too large to factor, conjugate gradients on two levels end in the same minimum, tested likewise. */
+static void conjugate_gradients_reach_the_same_minimum(void **state)
+{
+    (void)state;
+    struct sheet *s = scene_sheet(12, 23, miura);
+    struct fold_options options = {.threads = 1, .most_factored = 1000};
+    struct fold_record record, factored = folded(s);
+    fold_free(fold_run(s, &options, NULL, &record));
+    assert_int_equal(record.status, FOLD_CONVERGED);
+    assert_true(record.positive_definite && record.factorisations < factored.factorisations);
+    assert_float_equal(record.energy.total, factored.energy.total, 1e-9);
+    assert_float_equal(record.energy_error, factored.energy_error, 0.1 * factored.energy_error);
+    fold_record_free(&record);
+    sheet_free(s);
+}
+
+/* The stated error is above the true one (against two levels finer, and a third of the last change beyond), and
+ * not far above. */
+static void stated_error_bounds_the_true_one(void **state)
+{
+    (void)state;
+    static int (*const pattern[])(int, int) = {rib, checker, seed, NULL};
+    for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) {
+        struct sheet *s = scene_sheet(8, 8, pattern[i]);
+        struct fold_record level[3];
+        for (int k = 0; k < 3; k++) {
+            s->mesh.per_stitch = 1 << k;
+            level[k] = folded(s);
+        }
+        double limit = level[2].energy.total - (level[1].energy.total - level[2].energy.total) / 3;
+        for (int k = 0; k < 2; k++) {
+            double error = (level[k].energy.total - limit) / level[k].energy.total;
+            assert_true(level[k].energy_error >= error);
+            assert_true(level[k].energy_error <= 2 * error);
+            assert_true(level[k].shape_error > 0 && level[k].shape_error < 0.02);
+        }
+        sheet_free(s);
+    }
+}
+
+/* per_stitch = auto refines until the accuracy asked for is met. */
+static void accuracy_is_met(void **state)
+{
+    (void)state;
+    static const struct {
+        double accuracy;
+        int    per_stitch;
+    } asked[] = {{0.2, 1}, {0.02, 2}, {0.01, 4}};
+    struct sheet *s = scene_sheet(8, 8, seed);
+    s->mesh.per_stitch = 0;
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
+        s->solve.accuracy = asked[i].accuracy;
+        struct fold_record r = folded(s);
+        assert_int_equal(r.per_stitch, asked[i].per_stitch);
+        assert_true(r.energy_error <= asked[i].accuracy);
+    }
+    sheet_free(s);
+}
+
+/* Two discretisations that share nothing but the sheet come to one energy:
+ * patches from above, triangles (in the end) from below, closer at each level. */
+static void discretisations_agree(void **state)
+{
+    (void)state;
+    static int (*const pattern[])(int, int) = {rib, checker, seed};
+    for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) {
+        struct sheet *s = scene_sheet(8, 8, pattern[i]);
+        s->mesh.per_stitch = 4;
+        double patch = folded(s).energy.total, gap[2];
+        s->mesh.discretisation = DISCRETISATION_TRIANGLE;
+        for (int k = 0; k < 2; k++) {
+            s->mesh.per_stitch = k ? 12 : 6;
+            gap[k] = fabs(folded(s).energy.total - patch);
+        }
+        assert_true(gap[1] < 0.6 * gap[0] || gap[1] < 2e-3 * patch);
+        assert_true(gap[1] < 0.05 * patch);
+        sheet_free(s);
+    }
+}
+
 static void set_curvature(struct sheet *s, double kx, double ky)
 {
     for (int i = 0; i < s->columns * s->rows; i++)
@@ -318,6 +398,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(energies_of_known_swatches),
         cmocka_unit_test(one_minimum_by_all_ways),
+        cmocka_unit_test(conjugate_gradients_reach_the_same_minimum),
+        cmocka_unit_test(stated_error_bounds_the_true_one),
+        cmocka_unit_test(accuracy_is_met),
+        cmocka_unit_test(discretisations_agree),
         cmocka_unit_test(compatible_roll),
         cmocka_unit_test(strips_of_any_width),
         cmocka_unit_test(rib_is_an_accordion),
