@@ -8,6 +8,11 @@ check_PROGRAMS += tests/stress/test_rows
 tests_stress_test_rows_SOURCES = tests/stress/test_rows.c tests/stress/trial.c tests/stress/trial.h
 tests_stress_test_rows_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_stress_test_rows_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
+check_PROGRAMS += tests/stress/test_known
+tests_stress_test_known_SOURCES = tests/stress/test_known.c tests/stress/trial.h
+tests_stress_test_known_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_stress_test_known_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 endif
 
 stress: tests/stress/sweep$(EXEEXT)
