@@ -15,6 +15,13 @@ tests_stress_test_known_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_stress_test_known_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 endif
 
-stress: tests/stress/sweep$(EXEEXT)
-	tests/stress/sweep full
+check_SCRIPTS += tests/stress/refused.sh
+EXTRA_DIST += tests/stress/refused.sh tests/stress/motifs.sh
+
+# Everything: the scenes, then the tables of docs/stability.md on standard output.
+stress: weft$(EXEEXT) tests/stress/sweep$(EXEEXT) tests/stress/test_rows$(EXEEXT) tests/stress/test_known$(EXEEXT)
+	OMP_WAIT_POLICY=passive tests/stress/test_rows$(EXEEXT)
+	OMP_WAIT_POLICY=passive tests/stress/test_known$(EXEEXT)
+	OMP_WAIT_POLICY=passive tests/stress/sweep$(EXEEXT) full
+	WEFT='$(abs_top_builddir)/weft' $(srcdir)/tests/stress/motifs.sh
 .PHONY: stress
