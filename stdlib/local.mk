@@ -1,14 +1,19 @@
 # Motifs in .knit, embedded in the binary.
 STDLIB = stdlib/bars.knit \
     stdlib/baskets.knit \
+    stdlib/brocades.knit \
     stdlib/chains.knit \
+    stdlib/checks.knit \
     stdlib/columns.knit \
+    stdlib/diagonals.knit \
     stdlib/miura.knit \
     stdlib/peaks.knit \
     stdlib/plain.knit \
+    stdlib/pleats.knit \
     stdlib/ribs.knit \
     stdlib/seed.knit \
     stdlib/squiggles.knit \
+    stdlib/textures.knit \
     stdlib/weave.knit
 stdlibdir = $(pkgdatadir)/stdlib
 dist_stdlib_DATA = $(STDLIB)

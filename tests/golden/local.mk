@@ -5,7 +5,8 @@ golden_tests = \
     tests/golden/test_library.sh \
     tests/golden/test_limits.sh \
     tests/golden/test_motifs.sh \
-    tests/golden/test_rows.sh
+    tests/golden/test_rows.sh \
+    tests/golden/test_stitches.sh
 check_SCRIPTS += $(golden_tests)
 
 noinst_PROGRAMS = tests/golden/knit_dump
@@ -28,6 +29,7 @@ tests_golden_test_compile_LDADD = liblang.a $(CMOCKA_LIBS)
 endif
 
 EXTRA_DIST += $(golden_tests) tests/golden/dump.sh \
+    tests/golden/stitches.txt \
     tests/golden/binary_file.knit \
     tests/golden/blocks.knit \
     tests/golden/characters.knit \
