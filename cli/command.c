@@ -20,6 +20,16 @@ const struct command command_table[] = {
      "right of right-side rows and at the left of wrong-side rows. With --grid: for\n"
      "programs, after a header \"# 1 1\" a line of stitch names for each row, the\n"
      "bottom row first; -o writes this form to a file.\n"},
+    {"write", "FILE", 1, 1, command_write, "print written instructions",
+     "Prints the swatch of FILE as written rows, from the cast-on to the last row:\n"
+     "runs of a stitch and repeats folded, equal rows named together. Rows go back\n"
+     "and forth; with --round they are rounds. The text is a script: it can be\n"
+     "compiled again and gives the same fabric. -o writes it to a file.\n"},
+    {"import", "PATH", 1, 1, command_import, "make a script of a chart from elsewhere",
+     "Reads the chart in PATH and prints a script with the same stitches; -o writes\n"
+     "it to a file. A chart is a text with a line of the letters K and P, blanks\n"
+     "between them or not, for each row, the bottom row first. Above them may stand\n"
+     "\"# 4 2\": repeat this four times up and two times across.\n"},
     {"params", "FILE", 1, 1, command_params, "list the parameters a script can be given",
      "Prints each param of FILE with its value, range and text: what -D can set.\n"},
     {"list", "[NAME]", 0, 1, command_list, "list the built-in motifs",

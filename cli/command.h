@@ -21,6 +21,8 @@ const struct command *command_find(const char *name);
 enum status command_run(const struct options *options);
 enum status command_check(const struct options *options);
 enum status command_chart(const struct options *options);
+enum status command_write(const struct options *options);
+enum status command_import(const struct options *options);
 enum status command_params(const struct options *options);
 enum status command_list(const struct options *options);
 enum status command_version(const struct options *options);

@@ -4,7 +4,9 @@ libcli_a_SOURCES = \
     cli/chart.c \
     cli/check.c \
     cli/command.c cli/command.h \
+    cli/deliver.c cli/deliver.h \
     cli/help.c \
+    cli/import.c \
     cli/interrupt.c cli/interrupt.h \
     cli/list.c \
     cli/options.c cli/options.h \
@@ -16,4 +18,5 @@ libcli_a_SOURCES = \
     cli/seeds.c cli/seeds.h \
     cli/streams.c cli/streams.h \
     cli/version.c \
-    cli/waiting.c cli/waiting.h
+    cli/waiting.c cli/waiting.h \
+    cli/write.c

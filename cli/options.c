@@ -117,11 +117,12 @@ static bool take_word(struct options *o, const struct option *option, const char
 
 /* ---- the table ---- */
 
-#define SCRIPT "run check chart params"
+#define SCRIPT "run check chart write params"
+#define READER SCRIPT " import"
 
 const struct option option_table[] = {
-    {"-o", NULL, "[KIND:]PATH", "run chart", take_output, NULL, 0, "write this, too (may be repeated)"},
-    {"-D", NULL, "NAME=VALUE", "run check chart", take_define, NULL, 0, "set a param of the script"},
+    {"-o", NULL, "[KIND:]PATH", "run chart write import", take_output, NULL, 0, "a file to write (may be repeated)"},
+    {"-D", NULL, "NAME=VALUE", "run check chart write", take_define, NULL, 0, "set a param of the script"},
     {"-I", NULL, "DIR", SCRIPT, take_include, NULL, 0, "look for used files here, too (and in $WEFT_PATH)"},
     {NULL, "--accuracy", "PERCENT", "run", take_override, "solve.accuracy", 0, "wanted error of the energy, like 1%"},
     {NULL, "--method", "NAME", "run", take_override, "solve.method", 0, "auto, newton, plbfgs or lbfgs"},
@@ -133,12 +134,13 @@ const struct option option_table[] = {
     {"-j", NULL, "N", "run", take_threads, NULL, 0, "threads (default: one a processor)"},
     {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
     {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},
+    {NULL, "--round", NULL, "write", take_flag, NULL, offsetof(struct options, round), "worked in the round"},
     {NULL, "--json", NULL, "params version", take_flag, NULL, offsetof(struct options, json), "as JSON"},
     {"-W", NULL, "error", SCRIPT, take_word, "error", offsetof(struct options, warnings), "treat warnings as errors"},
     {"-q", "--quiet", NULL, SCRIPT, take_flag, NULL, offsetof(struct options, quiet), "print errors alone"},
     {"-v", "--verbose", NULL, "run", take_flag, NULL, offsetof(struct options, verbose), "say more about the solve"},
-    {NULL, "--color", "WHEN", SCRIPT, take_word, "auto always never", offsetof(struct options, color), "auto, always or never (and $NO_COLOR)"},
-    {NULL, "--diagnostics", "FORM", SCRIPT, take_word, "human json", offsetof(struct options, diagnostics), "errors in a script: human or json"},
+    {NULL, "--color", "WHEN", READER, take_word, "auto always never", offsetof(struct options, color), "auto, always or never (and $NO_COLOR)"},
+    {NULL, "--diagnostics", "FORM", READER, take_word, "human json", offsetof(struct options, diagnostics), "errors in a script: human or json"},
     {"-h", "--help", NULL, NULL, take_flag, NULL, offsetof(struct options, help), "explain the command"},
     {NULL, "--version", NULL, NULL, take_flag, NULL, offsetof(struct options, version), "print the version"},
     {0},

@@ -39,6 +39,17 @@ enum status script_load(struct script *script, const char *path, const struct op
     return script->scene ? STATUS_DONE : only_command_line(&diag) ? STATUS_USAGE : STATUS_SCRIPT;
 }
 
+enum status script_knit_and_purl(const struct scene *scene)
+{
+    for (int id = STITCH_P + 1; id < scene->nstitches; id++)
+        if (grid_count(scene->grid, (stitch_id)id) > 0) {
+            fprintf(stderr, "weft: %s: the stitch %s is neither knit nor purl, so this cannot be written\n", scene->file,
+                    scene->stitch[id].name);
+            return STATUS_SCRIPT;
+        }
+    return STATUS_DONE;
+}
+
 void script_free(struct script *script)
 {
     arena_free(&script->arena);

@@ -15,6 +15,11 @@ struct script {
 /* STATUS_FILES: not readable; STATUS_SCRIPT: errors in the script; STATUS_USAGE:
  * errors in what the command line asks of it.  Free with script_free in any case. */
 enum status script_load(struct script *script, const char *path, const struct options *options);
+
+/* STATUS_SCRIPT, with the reason on standard error, where the swatch has other
+ * stitches than knit and purl: what knitters exchange has no place for them. */
+enum status script_knit_and_purl(const struct scene *scene);
+
 void        script_free(struct script *script);
 
 #endif

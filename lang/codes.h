@@ -72,6 +72,13 @@
     X(CODE_LIMIT_LIST,      711, "too long a list, range or sweep")                                           \
     X(CODE_LIMIT_STITCHDEF, 712, "too many kinds of stitches")                                                \
     X(CODE_LIMIT_OUTPUTS,   713, "too many outputs")                                                          \
+    /* charts from elsewhere */                                                                               \
+    X(CODE_RAGGED,          801, "a row of a chart file that is longer or shorter than the first")            \
+    X(CODE_BLANK_ROW,       802, "an empty line among the rows of a chart file")                              \
+    X(CODE_CHART_MARK,      803, "a mark in a chart file that stands for no stitch")                          \
+    X(CODE_LOWER_CASE,      804, "a small letter where a chart file has capitals")                            \
+    X(CODE_CHART_HEADER,    805, "a header of a chart file that is no two numbers, or in the wrong place")    \
+    X(CODE_NO_STITCH,       806, "a chart file without a stitch")                                             \
     /* warnings */                                                                                            \
     X(CODE_AMBIGUOUS_NAME,  901, "a name that means different things in different countries")                 \
     X(CODE_REPEAT_NO_COUNT, 902, "a repeat of rows without a number")

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A pattern in, a script as a person would write it out. */
+#include "charts/import.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "charts/written.h"
+#include "lang/limits.h"
+#include "lang/parse.h"
+
+/* ---- the motif's name ---- */
+
+static bool is_taken(const char *name)
+{
+    static const char *const others[] = {"tile", "each", "mod", "else", "std", "from", "purl", "true", "false"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (strcasecmp(name, others[i]) == 0)
+            return true;
+    for (int i = 0; i < nstatement_words; i++)
+        if (strcasecmp(name, statement_word[i]) == 0)
+            return true;
+    return strlen(name) < 3;
+}
+
+/* The file's name without folder and extension, as a name of the language. */
+static const char *motif_name(struct arena *arena, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *stem = slash ? slash + 1 : path, *dot = strrchr(stem, '.');
+    size_t length = dot && dot > stem ? (size_t)(dot - stem) : strlen(stem);
+    char *name = arena_copy(arena, stem, length < LIMIT_NAME / 2 ? length : LIMIT_NAME / 2);
+    for (char *c = name; *c; c++)
+        *c = isalnum((unsigned char)*c) ? (char)tolower((unsigned char)*c) : '_';
+    if (!isalpha((unsigned char)*name))
+        return arena_printf(arena, "chart%s%s", *name && *name != '_' ? "_" : "", strcmp(path, "-") == 0 ? "" : name);
+    return is_taken(name) ? arena_printf(arena, "%s_chart", name) : name;
+}
+
+/* ---- its body ---- */
+
+static void write_chart(struct text *text, const struct grid *g)
+{
+    char last[32];
+    int width = snprintf(last, sizeof last, "%d", g->rows);
+    text_print(text, "  chart (x = P, . = K) {\n");
+    for (int row = g->rows - 1; row >= 0; row--) {
+        text_print(text, "    ");
+        for (int i = 0; i < g->columns; i++)
+            text_bytes(text, grid_at(g, i, row) == STITCH_K ? "." : "x", 1);
+        text_print(text, "  %*d\n", width, row + 1);
+    }
+    text_print(text, "  }\n");
+}
+
+static size_t chart_length(const struct grid *g)
+{
+    return ((size_t)g->columns + 8) * (size_t)g->rows;
+}
+
+/* Rows are copied with their sides, so an odd number of them cannot be stacked. */
+static void write_body(struct text *text, const struct pattern *p)
+{
+    static const struct written_style style = {.open = true, .indent = "  "};
+    struct text rows = {.arena = text->arena};
+    bool can = p->up == 1 || p->grid->rows % 2 == 0;
+    if (can)
+        written_rows(&rows, p->grid, &style);
+    if (can && rows.length <= chart_length(p->grid))
+        text_bytes(text, rows.bytes, rows.length);
+    else
+        write_chart(text, p->grid);
+}
+
+static const char *one_line(struct arena *arena, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    char *name = arena_copy(arena, slash ? slash + 1 : path, strlen(slash ? slash + 1 : path));
+    for (char *c = name; *c; c++)
+        *c = (unsigned char)*c < 0x20 || *c == 0x7F ? '?' : *c;
+    return strcmp(path, "-") == 0 ? "standard input" : name;
+}
+
+void import_script(struct text *text, const struct pattern *p, const char *path, const char *what)
+{
+    const char *name = motif_name(text->arena, path);
+    text_print(text, "# %s, from %s: %d stitches x %d rows\n", what, one_line(text->arena, path), p->grid->columns,
+               p->grid->rows);
+    text_print(text, "motif %s multiple of %d {\n", name, p->grid->columns);
+    write_body(text, p);
+    text_print(text, "}\nswatch tile(%s, %d, %d)\n", name, p->across, p->up);
+}

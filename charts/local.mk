@@ -1,0 +1,11 @@
+# Patterns as knitters exchange them: charts and written rows, in and out.
+noinst_LIBRARIES += libcharts.a
+libcharts_a_SOURCES = \
+    charts/import.c charts/import.h \
+    charts/kp.c charts/kp.h \
+    charts/lines.c charts/lines.h \
+    charts/pattern.h \
+    charts/raster.c charts/raster.h \
+    charts/row.c charts/row.h \
+    charts/text.c charts/text.h \
+    charts/written.c charts/written.h

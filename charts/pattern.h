@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * What a chart file holds: a grid of knit and purl and how often it is repeated. */
+#ifndef WEFT_PATTERN_H
+#define WEFT_PATTERN_H
+
+#include "lang/grid.h"
+
+struct pattern {
+    const struct grid *grid;        /* one repeat; K and P alone */
+    int                across, up;  /* repeats, >= 1 each */
+};
+
+#endif

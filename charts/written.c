@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A grid in, its rows in words out, in the order and from the side they are worked. */
+#include "charts/written.h"
+
+#include <string.h>
+
+#include "charts/row.h"
+
+enum {
+    TABLE      = 4 * 1000 * 1000,   /* entries of the table of repeats */
+    BLOCK      = 64,                /* rows that are at least looked at together */
+    COST_LINE  = 4,                 /* of a line of words, and of `Repeat rows ..` */
+    COST_LABEL = 1                  /* of a further row number before the words */
+};
+
+/* How the rows from one on are written: a block of rows, perhaps repeated. */
+struct plan {
+    int cost;       /* to the end */
+    int rows;       /* of the block */
+    int times;      /* the block is worked, in all; 0: to the last row of the grid */
+};
+
+struct writer {
+    struct text                *text;
+    const struct written_style *style;
+    const struct grid          *grid;
+    stitch_id                  *worked;     /* (rows x columns) in working order */
+    int                        *words;      /* (rows) the first row with the same words */
+    int                         most;       /* rows of a block that is repeated */
+    int                        *same;       /* (most + 1 x rows) rows from one on that equal those `block` further up */
+    struct plan                *plan;       /* (rows + 1) */
+    int                        *stamp;      /* (rows) */
+};
+
+static const stitch_id *worked_row(const struct writer *w, int row)
+{
+    return w->worked + (size_t)row * (size_t)w->grid->columns;
+}
+
+/* ---- rows as they are worked ---- */
+
+static void work_rows(struct writer *w)
+{
+    int columns = w->grid->columns;
+    for (int row = 0; row < w->grid->rows; row++)
+        for (int i = 0; i < columns; i++) {
+            stitch_id *to = w->worked + (size_t)row * (size_t)columns + i;
+            if (w->style->round || row % 2 == 0)
+                *to = grid_at(w->grid, columns - 1 - i, row);
+            else
+                *to = grid_at(w->grid, i, row) == STITCH_K ? STITCH_P : STITCH_K;
+        }
+}
+
+static unsigned hash(const stitch_id *row, int n)
+{
+    unsigned h = 2166136261u;
+    for (int i = 0; i < n; i++)
+        h = (h ^ row[i]) * 16777619u;
+    return h;
+}
+
+/* Gives rows of the same words one number, by an open table of hashes. */
+static void compare_rows(struct writer *w)
+{
+    int rows = w->grid->rows, columns = w->grid->columns;
+    unsigned size = 16;
+    while (size < 2 * (unsigned)rows)
+        size *= 2;
+    int *slot = arena_array(w->text->arena, int, size);
+    for (int row = 0; row < rows; row++) {
+        unsigned at = hash(worked_row(w, row), columns) % size;
+        while (slot[at] && memcmp(worked_row(w, slot[at] - 1), worked_row(w, row), (size_t)columns) != 0)
+            at = (at + 1) % size;
+        slot[at] = slot[at] ? slot[at] : row + 1;
+        w->words[row] = slot[at] - 1;
+    }
+}
+
+/* ---- the plan ---- */
+
+static int *same_from(const struct writer *w, int block)
+{
+    return w->same + (size_t)block * (size_t)w->grid->rows;
+}
+
+static void find_repeats(struct writer *w)
+{
+    int rows = w->grid->rows;
+    for (int block = 1; block <= w->most; block++) {
+        int *same = same_from(w, block);
+        for (int row = rows - block - 1; row >= 0; row--)
+            same[row] = w->words[row] == w->words[row + block] ? (row + 1 < rows ? same[row + 1] : 0) + 1 : 0;
+    }
+}
+
+static void offer(struct plan *best, int cost, int rows, int times)
+{
+    if (cost < best->cost)
+        *best = (struct plan){cost, rows, times};
+}
+
+/* The cheapest way from a row on, all later ones being known. */
+static void plan_from(struct writer *w, int row)
+{
+    int left = w->grid->rows - row, look = w->most > BLOCK ? w->most : BLOCK;
+    int cost = 0;
+    struct plan *best = &w->plan[row];
+    *best = (struct plan){.cost = 1 << 30};
+    if (w->grid->rows <= TABLE / w->grid->rows || look > left)
+        look = left;
+    for (int rows = 1; rows <= look; rows++) {
+        int last = row + rows - 1, words = w->words[last];
+        if (w->stamp[words] != row + 1)
+            cost += COST_LINE;
+        else if (w->words[last - 1] != words)
+            cost += COST_LABEL;
+        w->stamp[words] = row + 1;
+        int same = rows <= w->most && rows < left ? same_from(w, rows)[row] : 0;
+        if (same >= rows && (w->style->round || rows % 2 == 0)) {
+            int times = same / rows + 1;
+            offer(best, cost + COST_LINE + w->plan[row + rows * times].cost, rows, times);
+            if (rows + same == left)
+                offer(best, cost + COST_LINE, rows, 0);
+        }
+        offer(best, cost + w->plan[row + rows].cost, rows, 1);
+    }
+}
+
+static void make_plan(struct writer *w)
+{
+    w->plan[w->grid->rows] = (struct plan){0};
+    for (int row = w->grid->rows - 1; row >= 0; row--)
+        plan_from(w, row);
+}
+
+/* ---- lines ---- */
+
+/* `1`, `1 and 3`, `1-3, 5 and 7`: the rows of a block that have the words of its row `first`. */
+static void write_labels(struct writer *w, int first, int end)
+{
+    int label[2][2] = {{0}}, held = 0;  /* the last two ranges, held back for the `and` */
+    const char *comma = "";
+    for (int row = first; row <= end; row++) {
+        bool new = row < end && w->words[row] == w->words[first];
+        if (new && held && label[held - 1][1] == row) {
+            label[held - 1][1] = row + 1;
+            continue;
+        }
+        if (!new && row < end)
+            continue;
+        if (held == 2 || (held && row == end)) {
+            const int *l = label[0];
+            text_print(w->text, l[0] == l[1] ? "%s%d" : "%s%d-%d", comma, l[0], l[1]);
+            comma = ", ";
+            memmove(label[0], label[1], sizeof label[0]);
+            held--;
+        }
+        if (new) {
+            label[held][0] = label[held][1] = row + 1;
+            held++;
+        } else if (held) {
+            text_print(w->text, label[0][0] == label[0][1] ? " and %d" : " and %d-%d", label[0][0], label[0][1]);
+        }
+    }
+}
+
+/* `Row`, `Rows`, `Rnd`, `Rnds` and the side, if the rows have one. */
+static void write_head(struct writer *w, int first, int end)
+{
+    int count = 0, right = 0;
+    for (int row = first; row < end; row++)
+        if (w->words[row] == w->words[first]) {
+            count++;
+            right += row % 2 == 0;
+        }
+    text_print(w->text, "%s%s%s ", w->style->indent, w->style->round ? "Rnd" : "Row", count > 1 ? "s" : "");
+    write_labels(w, first, end);
+    text_print(w->text, "%s: ", w->style->round ? "" : right == count ? " (RS)" : right == 0 ? " (WS)" : "");
+}
+
+static void write_line(struct writer *w, int first, int end)
+{
+    size_t begin = w->text->length;
+    write_head(w, first, end);
+    struct row_writer row = {
+        .text = w->text,
+        .indent = arena_printf(w->text->arena, "%s    ", w->style->indent),
+        .column = (int)(w->text->length - begin),
+        .open = w->style->open,
+    };
+    row_write(&row, worked_row(w, first), w->grid->columns);
+    if (!w->style->open)
+        text_print(w->text, ". (%d st%s)", w->grid->columns, w->grid->columns == 1 ? "" : "s");
+    text_print(w->text, "\n");
+}
+
+/* A line for each of the block's words, at its first row. */
+static void write_block(struct writer *w, int from, int end)
+{
+    for (int row = from; row < end; row++)
+        w->stamp[w->words[row]] = 0;
+    for (int row = from; row < end; row++)
+        if (!w->stamp[w->words[row]]) {
+            w->stamp[w->words[row]] = 1;
+            write_line(w, row, end);
+        }
+}
+
+static void write_again(struct writer *w, int from, const struct plan *plan)
+{
+    const char *noun = w->style->round ? "rnd" : "row", *dot = w->style->open ? "" : ".";
+    text_print(w->text, plan->rows > 1 ? "%sRepeat %ss %d-%d " : "%sRepeat %s %d ", w->style->indent, noun, from + 1,
+               from + plan->rows);
+    if (plan->times == 0)
+        text_print(w->text, "until piece has %d %ss%s\n", w->grid->rows, noun, dot);
+    else if (plan->times == 2)
+        text_print(w->text, "once more%s\n", dot);
+    else
+        text_print(w->text, "%d more times%s\n", plan->times - 1, dot);
+}
+
+void written_rows(struct text *text, const struct grid *grid, const struct written_style *style)
+{
+    struct writer w = {.text = text, .style = style, .grid = grid};
+    size_t rows = (size_t)grid->rows;
+    w.most = grid->rows / 2 < TABLE / grid->rows ? grid->rows / 2 : TABLE / grid->rows;
+    w.worked = arena_array(text->arena, stitch_id, rows * (size_t)grid->columns);
+    w.words = arena_array(text->arena, int, rows);
+    w.same = arena_array(text->arena, int, ((size_t)w.most + 1) * rows);
+    w.plan = arena_array(text->arena, struct plan, rows + 1);
+    w.stamp = arena_array(text->arena, int, rows);
+    work_rows(&w);
+    compare_rows(&w);
+    find_repeats(&w);
+    make_plan(&w);
+    for (int row = 0; row < grid->rows;) {
+        const struct plan *plan = &w.plan[row];
+        write_block(&w, row, row + plan->rows);
+        if (plan->times != 1)
+            write_again(&w, row, plan);
+        row = plan->times ? row + plan->rows * plan->times : grid->rows;
+    }
+}
+
+void written_pattern(struct text *text, const struct grid *grid, bool round)
+{
+    text_print(text, "Cast on %d st%s.\n", grid->columns, grid->columns == 1 ? "" : "s");
+    written_rows(text, grid, &(struct written_style){.round = round, .indent = ""});
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Written instructions of a grid: equal rows named together, repeats of rows found. */
+#ifndef WEFT_WRITTEN_H
+#define WEFT_WRITTEN_H
+
+#include <stdbool.h>
+
+#include "charts/text.h"
+#include "lang/grid.h"
+
+struct written_style {
+    bool        round;      /* worked in the round: every row from the right side */
+    bool        open;       /* rows for any multiple of the width, without their count */
+    const char *indent;     /* of every line */
+};
+
+/* A whole pattern, from `Cast on` to the last row. The grid holds K and P alone. */
+void written_pattern(struct text *, const struct grid *, bool round);
+
+/* Its rows. */
+void written_rows(struct text *, const struct grid *, const struct written_style *);
+
+#endif

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * `weft import`: a chart from elsewhere in, a script out. */
+#include <config.h>
+
+#include <stdio.h>
+#include <string.h>
+
+#include "charts/import.h"
+#include "charts/kp.h"
+#include "cli/command.h"
+#include "cli/deliver.h"
+#include "lang/limits.h"
+
+static bool fits(struct diag *diag, const struct source *source)
+{
+    if (source->size > LIMIT_FILE)
+        diag_error(diag, CODE_LIMIT_FILE, (struct span){source, 0, 0}, "the file is longer than %d bytes", LIMIT_FILE);
+    return source->size <= LIMIT_FILE;
+}
+
+static enum status import(struct arena *arena, const struct options *options, const struct source *source)
+{
+    struct diag diag;
+    struct pattern pattern = {0};
+    struct text text = {.arena = arena};
+    diag_init(&diag, arena);
+    if (fits(&diag, source))
+        pattern = kp_read(arena, &diag, source);
+    diag_print(&diag, stderr, strcmp(options->diagnostics, "json") == 0 ? DIAG_JSON : DIAG_HUMAN,
+               options_colored(options));
+    if (diag.nerrors)
+        return STATUS_SCRIPT;
+    import_script(&text, &pattern, source->name, "A grid of K and P");
+    return deliver(options, &text);
+}
+
+enum status command_import(const struct options *options)
+{
+    struct arena arena = {0};
+    const char *why = "", *path = options->operand[0];
+    const struct source *source = source_read(&arena, path, &why);
+    enum status status = STATUS_FILES;
+    if (source)
+        status = import(&arena, options, source);
+    else
+        fprintf(stderr, "weft: cannot read '%s': %s\n", path, why);
+    arena_free(&arena);
+    return status;
+}

@@ -1,0 +1,181 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# weft import: grids of K and P become scripts of the same grid; what is wrong
+# with one is shown at its place.
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+. "$WEFT_SOURCE/tests/charts/grids.sh"
+
+# same NAME FILE: the script made of FILE has the grid of $work/wanted.
+same() {
+    check "$1" sh -c '"$1" import "$2" >"$3/again.knit" && "$1" chart --grid "$3/again.knit" | diff "$3/wanted" -' - \
+        "$WEFT" "$2" "$work"
+}
+
+# ---- what comes out ----
+
+exits 0 'the flag' "$WEFT" import "$work/flag.txt"
+check 'is a chart, row 1 at the bottom' diff - "$work/out" <<'KNIT'
+# A grid of K and P, from flag.txt: 4 stitches x 3 rows
+motif flag multiple of 4 {
+  chart (x = P, . = K) {
+    ...x  3
+    ..xx  2
+    .xxx  1
+  }
+}
+swatch tile(flag, 1, 1)
+KNIT
+
+{
+    echo '# 2 3'
+    echo 'KKKKPPPP'
+    echo 'KKKKPPPP'
+    echo 'KKKKPPPP'
+    echo 'KKKKPPPP'
+} >"$work/row.txt"
+exits 0 'a name that the language has taken' "$WEFT" import "$work/row.txt" -o "$work/row.knit"
+empty 'a file instead of standard output' "$work/out"
+check 'equal rows stand together' diff - "$work/row.knit" <<'KNIT'
+# A grid of K and P, from row.txt: 8 stitches x 4 rows
+motif row_chart multiple of 8 {
+  Rows 1-4: *p4, k4; rep from * to end
+}
+swatch tile(row_chart, 3, 2)
+KNIT
+exits 0 'compiles' "$WEFT" check "$work/row.knit"
+out 'repeats across and up' '24 stitches x 8 rows'
+
+printf '# 12 10\nKP\nPPP\n' | sed 's/PPP/PP/' >"$work/x.txt"
+"$WEFT" import "$work/x.txt" >"$work/x.knit"
+exits 0 'repeats of several digits' "$WEFT" check "$work/x.knit"
+out 'count' '20 stitches x 24 rows'
+
+# ---- ways to write it ----
+
+cp "$work/flag.txt" "$work/wanted"
+printf '\357\273\277# 1 1\r\nK P P P\r\n  KKPP  \r\nK\tK K P\r\n\r\n\n' >"$work/windows.txt"
+same 'a byte order mark, line ends of two bytes, tabs, empty lines at the end' "$work/windows.txt"
+printf 'KPPP\nKKPP\nKKKP' >"$work/bare.txt"
+same 'no header, no last line end' "$work/bare.txt"
+for name in 3d-shape.txt each.txt k.txt .txt 'a b.txt' tile.txt; do
+    cp "$work/flag.txt" "$work/$name"
+    same "a file called '$name'" "$work/$name"
+done
+check 'standard input' sh -c '"$1" import - <"$2/flag.txt" >"$2/x.knit" && "$1" chart --grid "$2/x.knit" | diff "$2/wanted" -' - \
+    "$WEFT" "$work"
+
+# ---- what is wrong ----
+
+# wrong NAME TEXT: exit status 3; the messages are standard input.
+wrong() {
+    cat >"$work/wanted.err"
+    printf "$2" >"$work/w.txt"
+    exits 3 "$1" sh -c 'cd "$2" && "$1" import w.txt' - "$WEFT" "$work"
+    check 'is shown' diff "$work/wanted.err" "$work/err"
+    empty 'nothing comes out' "$work/out"
+}
+
+wrong 'a row too short' 'KPK\nKP\n' <<'TEXT'
+w.txt:2:3: error: this row has 2 stitches, but the first has 3 [E0801]
+   2 | KP
+     |   ^
+w.txt:1:1: note: the first row
+   1 | KPK
+     | ^~~
+TEXT
+wrong 'a row too long' 'K P\nK P P P\n' <<'TEXT'
+w.txt:2:5: error: this row has 4 stitches, but the first has 2 [E0801]
+   2 | K P P P
+     |     ^~~
+w.txt:1:1: note: the first row
+   1 | K P
+     | ^~~
+TEXT
+wrong 'a blank row' '# 1 1\nKP\n\nPK\n' <<'TEXT'
+w.txt:3:1: error: an empty line stands between two rows [E0802]
+   3 | 
+     | ^
+TEXT
+wrong 'a blank row before the first' '# 1 1\n\nPK\n' <<'TEXT'
+w.txt:2:1: error: an empty line stands before the first row [E0802]
+   2 | 
+     | ^
+TEXT
+wrong 'other letters, each in its row' 'K Q P\nK P x\n' <<'TEXT'
+w.txt:1:3: error: 'Q' stands for no stitch; stitches are K and P [E0803]
+   1 | K Q P
+     |   ^
+hint: a written pattern needs no import: try `weft check`
+w.txt:2:5: error: 'x' stands for no stitch; stitches are K and P [E0803]
+   2 | K P x
+     |     ^
+hint: a written pattern needs no import: try `weft check`
+TEXT
+wrong 'a byte that is no letter' 'KP\nK\001\n' <<'TEXT'
+w.txt:2:2: error: the byte 0x01 stands for no stitch; stitches are K and P [E0803]
+   2 | K?
+     |  ^
+TEXT
+wrong 'small letters' 'KP\nKp\n' <<'TEXT'
+w.txt:2:2: error: the small letter 'p': stitches are K and P here [E0804]
+   2 | Kp
+     |  ^
+TEXT
+wrong 'a header of words' '# my chart\nKP\n' <<'TEXT'
+w.txt:1:1: error: a header is two numbers: how often the rows and the stitches repeat [E0805]
+   1 | # my chart
+     | ^~~~~~~~~~
+hint: `# 4 2` repeats four times up and two times across; without a header it is once
+TEXT
+for header in '#' '# 4' '# 4 2 1' '# -1 2' '# 4.5 2' '# 4,2' '# 42k'; do
+    printf '%s\nKP\n' "$header" >"$work/w.txt"
+    exits 3 "the header '$header'" "$WEFT" import "$work/w.txt"
+    err 'is refused' 'w.txt:1:1: error: a header is two numbers.*E0805'
+done
+wrong 'no repeat' '# 0 2\nKP\n' <<'TEXT'
+w.txt:1:1: error: a repeat is at least 1 [E0805]
+   1 | # 0 2
+     | ^~~~~
+TEXT
+wrong 'a header further down' '# 1 1\nKP\n# 2 2\n' <<'TEXT'
+w.txt:3:1: error: a header stands in the first line alone [E0805]
+   3 | # 2 2
+     | ^~~~~
+TEXT
+wrong 'a fabric too large' '# 99999 99999\nKP\n' <<'TEXT'
+w.txt:1:1: error: this makes 199998 x 99999 stitches; a fabric may have 4000000 [E0707]
+   1 | # 99999 99999
+     | ^~~~~~~~~~~~~
+TEXT
+exits 3 'repeats without end' sh -c 'printf "# 99999999999999999999 1\nK\n" | "$1" import -' - "$WEFT"
+err 'are too large' 'E0707'
+exits 3 'an empty file' "$WEFT" import /dev/null
+err 'has no stitch' 'no stitch in this file.*E0806'
+exits 3 'messages for programs' sh -c 'printf "KQ\n" | "$1" import - --diagnostics json' - "$WEFT"
+err 'are objects' '"code": *"E0803"'
+
+exits 4 'a file that is not there' "$WEFT" import "$work/none.txt"
+err 'is named' 'cannot read .*none.txt'
+exits 4 'a folder that is not there' "$WEFT" import "$work/flag.txt" -o "$work/none/x.knit"
+exits 2 'no file' "$WEFT" import
+exits 2 'an option of others' "$WEFT" import --grid "$work/flag.txt"
+
+# ---- there and back ----
+
+mkdir "$work/random" "$work/library"
+random_grids "$work/random" 60
+bad=0
+for file in "$work"/random/*.txt; do
+    "$WEFT" import "$file" >"$work/x.knit" && "$WEFT" chart "$work/x.knit" -o "$work/x.txt" && cmp "$file" "$work/x.txt" ||
+        bad=$((bad + 1))
+done
+check 'random grids come back' test "$bad" = 0
+
+library_scripts "$work/library"
+for file in "$work"/library/*.knit; do
+    "$WEFT" chart -q "$file" -o "$work/wanted.txt"
+    cp "$work/wanted.txt" "$work/wanted"
+    same "$(basename "$file" .knit)" "$work/wanted.txt"
+done
+
+finish

@@ -1,0 +1,127 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# weft write: the words a knitter would use, and the same grid when they are read again.
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+. "$WEFT_SOURCE/tests/charts/grids.sh"
+
+# writes NAME SCRIPT [OPTION]...: lines of the script are separated by |; the text is standard input.
+writes() {
+    cat >"$work/wanted"
+    name=$1
+    printf '%s\n' "$2" | tr '|' '\n' >"$work/x.knit"
+    shift 2
+    exits 0 "$name" "$WEFT" write "$work/x.knit" "$@"
+    check 'word for word' diff "$work/wanted" "$work/out"
+}
+
+rib='Cast on 22|Row 1: *k2, p2; rep from * to last 2 sts, k2|Row 2: *p2, k2; rep from * to last 2 sts, p2'
+writes 'a rib' "$rib|Repeat rows 1-2 14 times" <<'TEXT'
+Cast on 22 sts.
+Row 1 (RS): *k2, p2; rep from * to last 2 sts, k2. (22 sts)
+Row 2 (WS): *p2, k2; rep from * to last 2 sts, p2. (22 sts)
+Repeat rows 1-2 14 more times.
+TEXT
+writes 'a rib in the round' "$rib|Repeat rows 1-2 14 times" --round <<'TEXT'
+Cast on 22 sts.
+Rnds 1-30: *k2, p2; rep from * to last 2 sts, k2. (22 sts)
+TEXT
+writes 'a remainder' "$rib|Row 3: purl|Row 4: p2, k20|Repeat rows 1-4 twice|Row 13: k2, (p2, k2) to end|Row 14: as row 2" <<'TEXT'
+Cast on 22 sts.
+Row 1 (RS): *k2, p2; rep from * to last 2 sts, k2. (22 sts)
+Row 2 (WS): *p2, k2; rep from * to last 2 sts, p2. (22 sts)
+Row 3 (RS): purl. (22 sts)
+Row 4 (WS): p2, k20. (22 sts)
+Repeat rows 1-4 until piece has 14 rows.
+TEXT
+writes 'equal rows' 'Cast on 3|Rows 1 and 3: k1, p2|Rows 2 and 5: p1, k2|Row 4: purl' <<'TEXT'
+Cast on 3 sts.
+Rows 1 and 3 (RS): k1, p2. (3 sts)
+Rows 2 and 5: p1, k2. (3 sts)
+Row 4 (WS): purl. (3 sts)
+TEXT
+writes 'garter' 'use garter from std|swatch tile(garter, 5, 10)' <<'TEXT'
+Cast on 5 sts.
+Rows 1-20: knit. (5 sts)
+TEXT
+writes 'edges on both sides' 'use basketweave from std|swatch fill(basketweave, 29, 16)' <<'TEXT'
+Cast on 29 sts.
+Rows 1 and 5 (RS): knit. (29 sts)
+Rows 2 and 4 (WS): *k5, p3; rep from * to last 5 sts, k5. (29 sts)
+Row 3 (RS): *p5, k3; rep from * to last 5 sts, p5. (29 sts)
+Rows 6 and 8 (WS): k1, *p3, k5; rep from * to last 4 sts, p3, k1. (29 sts)
+Row 7 (RS): p1, *k3, p5; rep from * to last 4 sts, k3, p1. (29 sts)
+Repeat rows 1-8 once more.
+TEXT
+writes 'a repeat that is cut within a run' 'Cast on 48|Row 1: *k7, p12, k5; rep from * to end' <<'TEXT'
+Cast on 48 sts.
+Row 1 (RS): *k7, p12, k5; rep from * to end. (48 sts)
+TEXT
+writes 'two repeats in a row' 'Row 1: (k1, p1) 6 times, k10, (p1, k1) 6 times, p1' <<'TEXT'
+Cast on 35 sts.
+Row 1 (RS): [k1, p1] 6 times, k10, [p1, k1] 6 times, p1. (35 sts)
+TEXT
+writes 'one stitch left' 'Row 1: (k1, p1) 6 times, k1' <<'TEXT'
+Cast on 13 sts.
+Row 1 (RS): *k1, p1; rep from * to last st, k1. (13 sts)
+TEXT
+writes 'one stitch' 'swatch K' <<'TEXT'
+Cast on 1 st.
+Row 1 (RS): knit. (1 st)
+TEXT
+writes 'a long row, with breaks behind commas' \
+    'Row 1: k1, p2, k3, p4, k5, p6, k7, p8, k9, p10, k11, p12, k13, p14, k15, p16, k17, p18' <<'TEXT'
+Cast on 171 sts.
+Row 1 (RS): k1, p2, k3, p4, k5, p6, k7, p8, k9, p10, k11, p12, k13,
+    p14, k15, p16, k17, p18. (171 sts)
+TEXT
+writes 'parts of the height repeated each for itself' 'use weave from std|swatch weave' <<'TEXT'
+Cast on 48 sts.
+Row 1 (RS): k10, p28, k10. (48 sts)
+Row 2 (WS): p10, k28, p10. (48 sts)
+Repeat rows 1-2 7 more times.
+Row 17 (RS): knit. (48 sts)
+Row 18 (WS): purl. (48 sts)
+Row 19 (RS): p14, k20, p14. (48 sts)
+Row 20 (WS): k14, p20, k14. (48 sts)
+Repeat rows 19-20 7 more times.
+Row 35 (RS): knit. (48 sts)
+Row 36 (WS): purl. (48 sts)
+TEXT
+
+exits 0 'to a file' "$WEFT" write "$work/x.knit" -o "$work/pattern.knit"
+check 'the same text' sh -c '"$1" write "$2/x.knit" | diff - "$2/pattern.knit"' - "$WEFT" "$work"
+exits 3 'a script with an error' "$WEFT" write "$work/flag.txt"
+printf 'stitch T { kx = 1 }\nswatch tile(T, 2, 2)\n' >"$work/own.knit"
+exits 3 'a stitch of the script itself' "$WEFT" write "$work/own.knit"
+err 'is named' 'the stitch T is neither knit nor purl'
+
+# ---- there and back ----
+
+# back SCRIPT OPTION...: the written text of the script gives its grid.
+back() {
+    "$WEFT" chart --grid "$1" >"$work/wanted"
+    "$WEFT" write "$@" >"$work/written.knit" && "$WEFT" chart --grid "$work/written.knit" | cmp "$work/wanted" -
+}
+
+mkdir "$work/random" "$work/library"
+library_scripts "$work/library"
+for file in "$work"/library/*.knit; do
+    check "$(basename "$file" .knit) flat" back "$file"
+    check "$(basename "$file" .knit) in the round" back "$file" --round
+done
+
+random_grids "$work/random" 60
+bad=0
+for file in "$work"/random/*.txt "$work/flag.txt"; do
+    "$WEFT" import "$file" >"$work/x.knit"
+    back "$work/x.knit" && back "$work/x.knit" --round || bad=$((bad + 1))
+done
+check 'random grids come back' test "$bad" = 0
+
+# Neither a wide nor a high fabric takes long.
+printf 'swatch each (x, y) in 900 by 900 : (x * x + 3 * y * y + x * y) mod 7 < 3 ? P : K\n' >"$work/large.knit"
+check 'a large fabric' back "$work/large.knit"
+printf 'swatch each (x, y) in 4 by 100000 : (x * x + 3 * y * y) mod 7 < 3 ? P : K\n' >"$work/high.knit"
+check 'a high fabric' back "$work/high.knit"
+
+finish
