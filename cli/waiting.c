@@ -12,5 +12,10 @@ void waiting_sleep(char **argv)
     static const char policy[] = "OMP_WAIT_POLICY";
     if (getenv(policy) || setenv(policy, "passive", 1) != 0)
         return;
-    execv("/proc/self/exe", argv);
+    char path[4096];    /* the name itself, so that the process keeps it */
+    ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
+    if (length <= 0)
+        return;
+    path[length] = 0;
+    execv(path, argv);
 }
