@@ -56,18 +56,18 @@ while read -r motif rows; do
     same "$motif" "$rows"
 done <"$work/facts"
 
-# Edge stitches belong to the repeat: one repeat cut from the left, and one cut
-# from the right, of a piece of three are the motif itself.
+# Edge stitches belong to the repeat: one repeat cut from a piece of three by two,
+# at any corner, is the motif itself.
 "$WEFT" list >"$work/list"
 sed '1d; s/[ (].*//' "$work/list" >"$work/names"
+right='width(tile(m, 3, 1)) - width(m)'
 while read -r motif; do
-    use="use $motif from std|let m = $motif"
-    script "$use|swatch m"
+    script "use $motif from std|swatch $motif"
     "$dump" "$work/x.knit" >"$work/one" 2>&1
-    for from in 0 'width(tile(m, 3, 1)) - width(m)'; do
-        script "$use|swatch crop(tile(m, 3, 1), $from, 0, width(m), height(m))"
+    for corner in '0, 0' "$right, 0" '0, height(m)' "$right, height(m)"; do
+        script "use $motif from std|let m = $motif|swatch crop(tile(m, 3, 2), $corner, width(m), height(m))"
         "$dump" "$work/x.knit" >"$work/out" 2>&1
-        check "$motif: its repeats are alike, from $from" cmp "$work/one" "$work/out"
+        check "$motif: its repeats are alike, from $corner" cmp "$work/one" "$work/out"
     done
     check "$motif: a grid is known" grep -q -e "^${motif}[( ]" -e "^figure $motif " "$facts" "$library"
 done <"$work/names"
