@@ -1,6 +1,7 @@
 # Patterns as knitters exchange them: charts and written rows, in and out.
 noinst_LIBRARIES += libcharts.a
 libcharts_a_SOURCES = \
+    charts/csv.c charts/csv.h \
     charts/import.c charts/import.h \
     charts/kp.c charts/kp.h \
     charts/lines.c charts/lines.h \

@@ -43,7 +43,7 @@ enum status command_chart(const struct options *options)
 {
     for (int i = 0; i < options->noutputs; i++)
         if (!outputs_has_chart(chart_path(options->output[i])))
-            return options_wrong(options, "a chart is written as .txt, not as '%s'", options->output[i]);
+            return options_wrong(options, "a chart is written as .txt or .csv, not as '%s'", options->output[i]);
 
     /* The outputs of a chart are its own, not the script's. */
     struct options only_script = *options;

@@ -19,7 +19,8 @@ const struct command command_table[] = {
      "Prints the right side of the fabric, top row first, with the row numbers at the\n"
      "right of right-side rows and at the left of wrong-side rows. With --grid: for\n"
      "programs, after a header \"# 1 1\" a line of stitch names for each row, the\n"
-     "bottom row first; -o writes this form to a file.\n"},
+     "bottom row first; -o x.txt writes this form to a file. -o x.csv writes a table\n"
+     "for spreadsheets: a cell with k or p for each stitch, the top row first.\n"},
     {"write", "FILE", 1, 1, command_write, "print written instructions",
      "Prints the swatch of FILE as written rows, from the cast-on to the last row:\n"
      "runs of a stitch and repeats folded, equal rows named together. Rows go back\n"
@@ -27,9 +28,13 @@ const struct command command_table[] = {
      "compiled again and gives the same fabric. -o writes it to a file.\n"},
     {"import", "PATH", 1, 1, command_import, "make a script of a chart from elsewhere",
      "Reads the chart in PATH and prints a script with the same stitches; -o writes\n"
-     "it to a file. A chart is a text with a line of the letters K and P, blanks\n"
-     "between them or not, for each row, the bottom row first. Above them may stand\n"
-     "\"# 4 2\": repeat this four times up and two times across.\n"},
+     "it to a file. What PATH is follows from its extension:\n"
+     "  .csv      a line for each row, the top row first, with a cell for each\n"
+     "            stitch: k, K or 1 is knit, p, P or 0 is purl; commas, semicolons or\n"
+     "            tabs between them\n"
+     "  others    a line of the letters K and P for each row, the bottom row first,\n"
+     "            blanks between them or not. Above them may stand \"# 4 2\": repeat\n"
+     "            this four times up and two times across.\n"},
     {"params", "FILE", 1, 1, command_params, "list the parameters a script can be given",
      "Prints each param of FILE with its value, range and text: what -D can set.\n"},
     {"list", "[NAME]", 0, 1, command_list, "list the built-in motifs",

@@ -4,12 +4,33 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
+#include "charts/csv.h"
 #include "charts/import.h"
 #include "charts/kp.h"
 #include "cli/command.h"
 #include "cli/deliver.h"
 #include "lang/limits.h"
+
+static const struct format {
+    const char *extension;      /* NULL: any */
+    const char *what;           /* as the script's first line names it */
+    struct pattern (*read)(struct arena *, struct diag *, const struct source *);
+} formats[] = {
+    {".csv", "A table of k and p", csv_read},
+    {NULL, "A grid of K and P", kp_read},
+};
+
+static const struct format *find_format(const char *path)
+{
+    const struct format *format = formats;
+    size_t n = strlen(path);
+    while (format->extension &&
+           (n < strlen(format->extension) || strcasecmp(path + n - strlen(format->extension), format->extension) != 0))
+        format++;
+    return format;
+}
 
 static bool fits(struct diag *diag, const struct source *source)
 {
@@ -22,15 +43,16 @@ static enum status import(struct arena *arena, const struct options *options, co
 {
     struct diag diag;
     struct pattern pattern = {0};
+    const struct format *format = find_format(source->name);
     struct text text = {.arena = arena};
     diag_init(&diag, arena);
     if (fits(&diag, source))
-        pattern = kp_read(arena, &diag, source);
+        pattern = format->read(arena, &diag, source);
     diag_print(&diag, stderr, strcmp(options->diagnostics, "json") == 0 ? DIAG_JSON : DIAG_HUMAN,
                options_colored(options));
     if (diag.nerrors)
         return STATUS_SCRIPT;
-    import_script(&text, &pattern, source->name, "A grid of K and P");
+    import_script(&text, &pattern, source->name, format->what);
     return deliver(options, &text);
 }
 

@@ -10,6 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "charts/csv.h"
 #include "cli/progress.h"
 #include "output/chart.h"
 #include "output/obj.h"
@@ -41,6 +42,7 @@ static const struct writer {
 } writers[] = {
     {OUTPUT_REPORT, NULL,   DUE_REPORT, write_report},
     {OUTPUT_CHART,  ".txt", DUE_CHART,  write_chart},
+    {OUTPUT_CHART,  ".csv", DUE_CHART,  write_chart},
     {OUTPUT_PVD,    NULL,   DUE_STEP,   write_step},
     {OUTPUT_VTP,    NULL,   DUE_FINAL,  write_vtp},
     {OUTPUT_OBJ,    NULL,   DUE_FINAL,  write_obj},
@@ -133,10 +135,21 @@ void outputs_end(struct outputs *outputs)
 
 /* ---- writing ---- */
 
+static void write_table(struct file *file, const struct scene *scene)
+{
+    struct arena arena = {0};
+    struct text text = {.arena = &arena};
+    csv_write(&text, scene);
+    file_write(file, text.bytes, text.length);
+    arena_free(&arena);
+}
+
 bool outputs_write_chart(struct file_log *log, const char *path, const struct scene *scene)
 {
     struct file *file = file_create(log, path);
-    if (file)
+    if (file && has_extension(path, ".csv"))
+        write_table(file, scene);
+    else if (file)
         chart_grid(file, scene);
     return file && file_commit(file);
 }
