@@ -25,12 +25,12 @@ for file in *.knit; do
     fi
 done
 
-# Every message has its golden text, except limits (limits.sh) and what the row
-# and motif tests cover.
+# Every message has its golden text, except limits (limits.sh), what the row
+# and motif tests cover, and imports (tests/charts).
 if [ "${1-}" != --update ]; then
     for code in $(sed -n 's/.*X(CODE_[A-Z_]*, *\([0-9]*\),.*/\1/p' "$WEFT_SOURCE/lang/codes.h"); do
         name=$([ "$code" -ge 900 ] && echo "W0$code" || echo "E0$code")
-        check "$name is tested" grep -rqe "\[$name\]" -e "wrong $name" -e "limit $name" .
+        check "$name is tested" grep -rqe "\[$name\]" -e "[*]$name'" -e "wrong $name" -e "limit $name" . ../charts
     done
     finish
 fi
