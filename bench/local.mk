@@ -14,6 +14,9 @@ EXTRA_DIST += bench/run.sh bench/lib.sh bench/report.awk bench/limits.sh bench/s
     bench/scenes/miura_4x4.knit bench/scenes/peaks.knit bench/scenes/rib2x2.knit bench/scenes/rib_small.knit bench/scenes/seed.knit \
     bench/scenes/squiggles.knit bench/scenes/stockinette.knit bench/scenes/weave.knit
 
+EXTRA_DIST += docs/numerics.md docs/plots/accuracy.svg docs/plots/estimate.svg docs/plots/gradient.svg docs/plots/scaling.svg
+EXTRA_DIST += bench/plot.gp
+
 # About fifteen minutes; the plots want gnuplot.
 bench: weft bench/limits$(EXEEXT)
 	srcdir='$(srcdir)' WEFT=./weft sh '$(srcdir)/bench/run.sh'

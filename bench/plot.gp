@@ -21,9 +21,9 @@ set xlabel "CPU seconds, one thread"
 set ylabel "relative error of the energy"
 set title "Miura, 12 x 23 stitches, and its 2 x 2 tiling"
 set xrange [0.05:*]
-plot rows("accuracy", "1=miura 2=patch 4=auto 5=10") using 14:9 with linespoints lc rgb blue pt 7 title "patches 1, 2, 4", \
-     rows("accuracy", "1=miura 2=triangle 4=auto") using 14:9 with linespoints lc rgb green pt 5 title "triangles 2, 4, 8", \
-     rows("accuracy", "1=miura 2=triangle 4=lbfgs") using 14:9 with linespoints lc rgb red pt 9 title "plain libLBFGS 2, 4, 8", \
+plot rows("accuracy", "1=miura 2=patch 4=auto 5=10") using 14:9 with linespoints lc rgb blue pt 7 title "patches", \
+     rows("accuracy", "1=miura 2=triangle 4=auto") using 14:9 with linespoints lc rgb green pt 5 title "triangles", \
+     rows("accuracy", "1=miura 2=triangle 4=lbfgs") using 14:9 with linespoints lc rgb red pt 9 title "plain libLBFGS", \
      rows("accuracy", "1=miura_2x2 2=patch 4=auto 5=10") using 14:9 with linespoints lc rgb blue pt 6 dt 2 title "2 x 2: patches", \
      rows("accuracy", "1=miura_2x2 2=triangle 4=auto") using 14:9 with linespoints lc rgb green pt 4 dt 2 title "2 x 2: triangles", \
      rows("accuracy", "1=miura_2x2 2=triangle 4=lbfgs") using 14:9 with linespoints lc rgb red pt 8 dt 2 title "2 x 2: plain libLBFGS", \
@@ -33,9 +33,9 @@ set xrange [*:*]
 set output file("gradient")
 set xlabel "CPU seconds, one thread"
 set ylabel "largest gradient component / (Y h^2)"
-set title "2 x 2 Miura, triangles, two cells a stitch"
-plot for [m = 1:4] rows("gradient", "1=miura_2x2 3=" . word("lbfgs plbfgs newton auto", m)) using 11:5 with linespoints \
-     lc rgb word(red . " " . blue . " " . green . " " . grey, m) pt 6 + m title word("plain-libLBFGS preconditioned Newton auto", m)
+set title "Miura, 12 x 23 stitches, triangles, two cells a stitch"
+plot for [m = 1:4] rows("gradient", "1=miura 2=2 3=" . word("lbfgs plbfgs newton auto", m)) using 10:5 with linespoints \
+     lc rgb word(red . " " . blue . " " . green . " " . grey, m) pt 6 + m title word('"plain libLBFGS" preconditioned Newton auto', m)
 
 set output file("scaling")
 set xlabel "stitches"

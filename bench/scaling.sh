@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Swatches of a hundred stitches and more: what time, memory and unknowns grow like.
+BENCH_LIMIT=${BENCH_LIMIT:-3600}
 . "${srcdir:-.}/bench/lib.sh"
 table=$results/scaling.csv
 echo "scene,columns,rows,stitches,unknowns,iterations,factorisations,cpu_s,wall_s,peak_mib,runs,status" >"$table"
-BENCH_LIMIT=3600
-sizes="10x10 18x18 32x32 56x57 100x100"
-[ -z "${BENCH_LARGE:-}" ] || sizes="$sizes 178x178 300x333"
-for pattern in stockinette rib_2x2; do
+sizes="12x8 20x16 32x32 56x56 100x100"
+[ -z "${BENCH_LARGE:-}" ] || sizes="$sizes 180x176 300x332"
+for pattern in rib_2x2 stockinette; do
     for size in $sizes; do
         columns=${size%x*}
         rows=${size#*x}
@@ -16,5 +16,7 @@ for pattern in stockinette rib_2x2; do
         echo "$pattern,$columns,$rows,$((columns * rows)),$(figures discretisation.unknowns solve.iterations \
             solve.factorisations),$cpu,$wall,$(figures memory.peak_bytes | awk '{ if ($1) printf "%.0f", $1 / 1048576 }'),$runs,$(figure solve.status)" >>"$table"
         say "$(tail -n 1 "$table")"
+        # A wide plain sheet has many shapes that differ little: it is the slow one, and ends sooner here.
+        if [ $pattern = stockinette ] && [ -z "${BENCH_LARGE:-}" ] && [ "$columns" -ge 56 ]; then break; fi
     done
 done

@@ -8,7 +8,7 @@ echo "what,without,with,unit,ratio" >"$table"
 row()           # what, without, with, unit
 {
     awk -v what="$1" -v a="$2" -v b="$3" -v unit="$4" \
-        'BEGIN { printf "%s,%.5g,%.5g,%s,%s\n", what, a, b, unit, a > 0 ? sprintf("%.4f", b / a) : "-" }' >>"$table"
+        'BEGIN { printf "%s,%.5g,%.5g,%s,%s\n", what, a, b, unit, (a > 0 ? sprintf("%.4f", b / a) : "-") }' >>"$table"
     say "$(tail -n 1 "$table")"
 }
 

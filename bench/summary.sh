@@ -5,7 +5,7 @@
 
 # Seconds to one percent on the way from one mesh to the next (log-log), or the last run's where none got there.
 awk -F, '
-    NR == 1 || $9 == "" && $18 != "time limit" { next }
+    NR == 1 || ($9 == "" && $18 != "time limit") { next }
     { key = $1 " " $2 " " $4 " " $5 }
     key in done { next }
     $18 == "time limit" { if (key in seconds) { most[key] = seconds[key]; bound[key] = $14 }; done[key]; next }
@@ -26,23 +26,23 @@ awk -F, '
             base = bar[i] " triangle lbfgs 10"
             if (base in to)
                 printf "1 %% on %s: default %.2f s, baseline %.1f s: %.0f times (bar %d): %s\n", bar[i], mine, to[base], to[base] / mine,
-                    bar[i + 1], to[base] >= bar[i + 1] * mine ? "met" : "missed"
+                    bar[i + 1], (to[base] >= bar[i + 1] * mine ? "met" : "missed")
             else if (base in seconds)
                 printf "1 %% on %s: default %.2f s, baseline %.1f s at an error of %.2f %%%s: at least %.0f times (bar %d): %s\n", bar[i], mine,
-                    seconds[base], 100 * error[base], base in bound ? ", the next mesh cut off at " bound[base] " s" : "",
-                    seconds[base] / mine, bar[i + 1], seconds[base] >= bar[i + 1] * mine ? "met" : "not shown"
+                    seconds[base], 100 * error[base], (base in bound ? ", the next mesh cut off at " bound[base] " s" : ""),
+                    seconds[base] / mine, bar[i + 1], (seconds[base] >= bar[i + 1] * mine ? "met" : "not shown")
         }
     }' "$results/accuracy.csv" 2>/dev/null || :
 
 awk -F, '
-    NR > 1 && $5 <= 1e-6 { key = $1 ":" $2; if (!((key, $3) in t)) { t[key, $3] = $11; keys[key] } }
+    NR > 1 && $5 <= 1e-6 { key = $1 ":" $2; if (!((key, $3) in t)) { t[key, $3] = $10; keys[key] = 1 } }
     END {
         for (key in keys) {
             least = t[key, "plbfgs"] < t[key, "newton"] ? t[key, "plbfgs"] : t[key, "newton"]
             if (least > 0 && t[key, "lbfgs"] > 0)
                 printf "to a gradient of 1e-6 on %s: plain %.2f s, preconditioned %.2f s, Newton %.2f s: %.1f times (bar 10): %s\n", key,
                     t[key, "lbfgs"], t[key, "plbfgs"], t[key, "newton"], t[key, "lbfgs"] / least,
-                    t[key, "lbfgs"] >= 10 * least ? "met" : "missed"
+                    (t[key, "lbfgs"] >= 10 * least ? "met" : "missed")
         }
     }' "$results/gradient.csv" 2>/dev/null | sort || :
 
@@ -59,7 +59,7 @@ awk -F, '
             if (n[s] > 1) {
                 e = (n[s] * sxt[s] - sx[s] * st[s]) / d
                 printf "scaling of %s: time n^%.2f (bar 1.5: %s), an iteration n^%.2f, memory n^%.2f (n log n: about 1.1)\n", s, e,
-                    e <= 1.5 ? "met" : "missed", (n[s] * sxi[s] - sx[s] * si[s]) / d, (n[s] * sxm[s] - sx[s] * sm[s]) / d
+                    (e <= 1.5 ? "met" : "missed"), (n[s] * sxi[s] - sx[s] * si[s]) / d, (n[s] * sxm[s] - sx[s] * sm[s]) / d
             }
         }
     }' "$results/scaling.csv" 2>/dev/null | sort || :
@@ -69,6 +69,6 @@ awk -F, 'NR > 1 { n += 2; c += ($8 >= 1) + ($11 >= 1); f += ($8 <= 5 && $8 >= 0.
     "$results/estimate.csv" 2>/dev/null || :
 
 awk -F, '
-    /two threads/ { printf "two threads: %.2f times (bar 1.6): %s\n", $2 / $3, $2 >= 1.6 * $3 ? "met" : "missed" }
+    /two threads/ { printf "two threads: %.2f times (bar 1.6): %s\n", $2 / $3, ($2 >= 1.6 * $3 ? "met" : "missed") }
     /same bits/ { print "the same bits on one thread and two: " ($3 == 1 ? "yes" : "NO") }
-    /weft check/ { printf "weft check: %.1f ms (bar 20): %s\n", $3, $3 < 20 ? "met" : "missed" }' "$results/skip.csv" 2>/dev/null || :
+    /weft check/ { printf "weft check: %.1f ms (bar 20): %s\n", $3, ($3 < 20 ? "met" : "missed") }' "$results/skip.csv" 2>/dev/null || :
