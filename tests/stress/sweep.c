@@ -163,10 +163,11 @@ static bool run_sweep(const struct sweep *sweep, bool full)
 }
 
 /* Patterns without rule: any size to 12 x 12, one in ten long and narrow. */
-static bool run_random(bool full)
+static bool run_random(bool full, enum discretisation_kind kind)
 {
+    bool triangle = kind == DISCRETISATION_TRIANGLE;
     struct tally *tally = calloc(1, sizeof *tally);
-    for (int i = 1; i <= (full ? NRANDOM : NRANDOM_SHORT); i++) {
+    for (int i = 1; i <= (full ? NRANDOM : NRANDOM_SHORT) / (triangle ? 5 : 1); i++) {
         uint64_t random = (uint64_t)i;
         int most = full ? 12 : 6, columns = 1 + (int)((noise_next(&random) + 1) / 2 * most);
         int rows = 1 + (int)((noise_next(&random) + 1) / 2 * most);
@@ -176,14 +177,15 @@ static bool run_random(bool full)
         for (int k = 0; k < columns * rows; k++)
             if (noise_next(&random) < 0)
                 s->kx[k] *= -1, s->ky[k] *= -1;
-        s->mesh.per_stitch = 0;
+        s->mesh.discretisation = kind;
+        s->mesh.per_stitch = triangle ? 4 : 0;
         s->solve.steps = i % 2 ? 10 : 1;
         char scene[80];
         snprintf(scene, sizeof scene, "pattern %d, %d x %d", i, columns, rows);
         count(tally, s, scene);
         sheet_free(s);
     }
-    print_row(tally, "random patterns", full ? "1x1 to 12x12, 1x60, 60x1" : "1x1 to 6x6", full);
+    print_row(tally, triangle ? "random patterns, triangles" : "random patterns", full ? "1x1 to 12x12, 1x60, 60x1" : "1x1 to 6x6", full);
     bool good = as_expected(tally);
     free(tally);
     return good;
@@ -199,11 +201,13 @@ int main(int argc, char **argv)
         printf("| swept | range | folds | converged | precision | saddle | limit | failed | crushed | lost | wrong | "
                "iterations median / max | longest s |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     else
-        printf("1..%d\n", (int)(sizeof sweeps / sizeof *sweeps) + 1);
+        printf("1..%d\n", (int)(sizeof sweeps / sizeof *sweeps) + 2);
     for (size_t i = 0; i < sizeof sweeps / sizeof *sweeps; i++)
         if (!only || strcmp(only, sweeps[i].name) == 0)
             good &= run_sweep(&sweeps[i], full);
     if (!only || strcmp(only, "random") == 0)
-        good &= run_random(full);
+        good &= run_random(full, DISCRETISATION_PATCH);
+    if (!only || strcmp(only, "triangle") == 0)
+        good &= run_random(full, DISCRETISATION_TRIANGLE);
     return good ? 0 : 1;
 }
