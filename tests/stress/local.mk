@@ -16,7 +16,7 @@ tests_stress_test_known_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $
 endif
 
 check_SCRIPTS += tests/stress/refused.sh
-EXTRA_DIST += tests/stress/refused.sh tests/stress/motifs.sh
+EXTRA_DIST += tests/stress/refused.sh tests/stress/motifs.sh docs/stability.md
 
 # Everything: the scenes, then the tables of docs/stability.md on standard output.
 stress: weft$(EXEEXT) tests/stress/sweep$(EXEEXT) tests/stress/test_rows$(EXEEXT) tests/stress/test_known$(EXEEXT)
