@@ -6,6 +6,7 @@ libcharts_a_SOURCES = \
     charts/kp.c charts/kp.h \
     charts/lines.c charts/lines.h \
     charts/pattern.h \
+    charts/picture.c charts/picture.h \
     charts/raster.c charts/raster.h \
     charts/row.c charts/row.h \
     charts/text.c charts/text.h \

@@ -32,6 +32,8 @@ const struct command command_table[] = {
      "  .csv      a line for each row, the top row first, with a cell for each\n"
      "            stitch: k, K or 1 is knit, p, P or 0 is purl; commas, semicolons or\n"
      "            tabs between them\n"
+     "  .png      a pixel for each stitch, the top row first; black is knit, white is\n"
+     "            purl, unless --key says what the colours mean\n"
      "  others    a line of the letters K and P for each row, the bottom row first,\n"
      "            blanks between them or not. Above them may stand \"# 4 2\": repeat\n"
      "            this four times up and two times across.\n"},

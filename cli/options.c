@@ -95,6 +95,12 @@ static bool take_flag(struct options *o, const struct option *option, const char
     return true;
 }
 
+static bool take_text(struct options *o, const struct option *option, const char *value)
+{
+    *(const char **)((char *)o + option->place) = value;
+    return true;
+}
+
 /* Is word one of the words of a list separated by blanks? */
 static bool in_list(const char *list, const char *word)
 {
@@ -134,10 +140,11 @@ const struct option option_table[] = {
     {"-j", NULL, "N", "run", take_threads, NULL, 0, "threads (default: one a processor)"},
     {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
     {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},
+    {NULL, "--key", "COLOURS", "import", take_text, NULL, offsetof(struct options, key), "what they mean: '#000000=k,#ffffff=p'"},
     {NULL, "--round", NULL, "write", take_flag, NULL, offsetof(struct options, round), "worked in the round"},
     {NULL, "--json", NULL, "params version", take_flag, NULL, offsetof(struct options, json), "as JSON"},
     {"-W", NULL, "error", SCRIPT, take_word, "error", offsetof(struct options, warnings), "treat warnings as errors"},
-    {"-q", "--quiet", NULL, SCRIPT, take_flag, NULL, offsetof(struct options, quiet), "print errors alone"},
+    {"-q", "--quiet", NULL, READER, take_flag, NULL, offsetof(struct options, quiet), "print errors alone"},
     {"-v", "--verbose", NULL, "run", take_flag, NULL, offsetof(struct options, verbose), "say more about the solve"},
     {NULL, "--color", "WHEN", READER, take_word, "auto always never", offsetof(struct options, color), "auto, always or never (and $NO_COLOR)"},
     {NULL, "--diagnostics", "FORM", READER, take_word, "human json", offsetof(struct options, diagnostics), "errors in a script: human or json"},

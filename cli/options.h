@@ -36,6 +36,7 @@ struct options {
     int         seeds;                  /* to fold from; 0 or 1: the scene's own */
     bool        quiet, verbose, dry_run, grid, round, json;
     bool        help, version;
+    const char *key;                    /* of a picture's colours, or NULL */
     const char *color;                  /* "auto", "always", "never" */
     const char *diagnostics;            /* "human", "json" */
 

@@ -79,6 +79,8 @@
     X(CODE_LOWER_CASE,      804, "a small letter where a chart file has capitals")                            \
     X(CODE_CHART_HEADER,    805, "a header of a chart file that is no two numbers, or in the wrong place")    \
     X(CODE_NO_STITCH,       806, "a chart file without a stitch")                                             \
+    X(CODE_COLOUR,          807, "a pixel of a colour the key does not have")                                 \
+    X(CODE_PICTURE,         808, "a picture that cannot be read")                                             \
     /* warnings */                                                                                            \
     X(CODE_AMBIGUOUS_NAME,  901, "a name that means different things in different countries")                 \
     X(CODE_REPEAT_NO_COUNT, 902, "a repeat of rows without a number")

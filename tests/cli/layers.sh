@@ -37,6 +37,7 @@ keeps 'cjson/' '(output|cli)/.*'
 keeps 'lbfgs\.h' 'solver/.*lbfgs\.[ch]'
 keeps '\(suitesparse/\)*cholmod\.h' 'solver/(factor|newton|plbfgs)\.[ch]'
 keeps 'sha2\.h' 'output/file\.c'
+keeps 'png\.h' 'charts/picture\.c'
 keeps 'cmocka\.h' 'none'
 
 finish

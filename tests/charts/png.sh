@@ -1,0 +1,80 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Charts as pictures: which way up, every kind of PNG, the key, and what is no stitch.
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+. "$WEFT_SOURCE/tests/charts/grids.sh"
+paint=$PWD/tests/charts/paint
+
+# same NAME FILE [OPTION]...: the script made of FILE has the flag's grid.
+same() {
+    name=$1
+    shift
+    exits 0 "$name" "$WEFT" import "$@"
+    mv "$work/out" "$work/again.knit"
+    check 'has the grid' sh -c '"$1" chart --grid "$2/again.knit" | diff "$2/flag.txt" -' - "$WEFT" "$work"
+}
+
+for kind in rgb rgba gray indexed deep; do
+    printf 'kkkp\nkkpp\nkppp\n' | "$paint" "$kind" "$work/flag.png"
+    same "$kind" "$work/flag.png"
+    err 'what the colours are taken for is said' 'flag.png: black is taken as knit, white as purl'
+done
+exits 0 'quietly' "$WEFT" import -q "$work/flag.png" -o "$work/flag.knit"
+empty 'it is not' "$work/err"
+cp "$work/flag.png" "$work/flag.dat"
+same 'a picture by another name' "$work/flag.dat"
+
+printf 'ppprrr\n' | sed 's/ppprrr/rrrk/;p;s/.*/rrkk/;p;s/.*/rkkk/' | "$paint" rgb "$work/red.png"
+same 'a key' "$work/red.png" --key '#ff0000=k,black=p'
+empty 'needs no saying' "$work/err"
+same 'a key of capitals' "$work/red.png" --key '#000000=P,#FF0000=K,#123456=k'
+
+exits 3 'another colour' sh -c 'cd "$2" && "$1" import red.png' - "$WEFT" "$work"
+check 'is an error with its place' diff - "$work/err" <<'TEXT'
+error: red.png: the pixel at x = 0, y = 0 is #ff0000, which the key does not have [E0807]
+note: x counts from 0 at the left, y from 0 at the top; 5 more pixels are not in the key
+hint: `--key '#000000=k,#ffffff=p'` says what the colours mean
+TEXT
+empty 'nothing comes out' "$work/out"
+printf 'kkpk\nkprk\n' | "$paint" indexed "$work/one.png"
+exits 3 'one pixel' "$WEFT" import "$work/one.png"
+err 'at x, y' 'x = 2, y = 1 is #ff0000'
+printf 'kkpk\nktpk\n' | "$paint" rgba "$work/clear.png"
+exits 3 'a transparent one' "$WEFT" import "$work/clear.png"
+err 'is said to be that' 'x = 1, y = 1 is transparent'
+
+for key in '' k=k '#12345=k' '#1234567=k' '#000000' '#000000=' '#000000=kp' 'black=k,' 'black=k;white=p' 'black=k,#000000=p'; do
+    exits 2 "the key '$key'" "$WEFT" import "$work/red.png" --key "$key"
+    err 'is refused' '^weft: --key: '
+done
+exits 2 'a key for a text' "$WEFT" import "$work/flag.txt" --key black=k
+err 'is useless' 'for pictures'
+
+head -c 60 "$work/red.png" >"$work/cut.png"
+exits 3 'a picture cut short' "$WEFT" import "$work/cut.png"
+err 'cannot be read' 'cut.png: this picture cannot be read.*E0808'
+exits 3 'a text called .png' sh -c 'cp "$2/flag.txt" "$2/text.png" && "$1" import "$2/text.png"' - "$WEFT" "$work"
+err 'cannot be read' 'text.png: this picture cannot be read.*E0808'
+
+# ---- there and back: grids painted, and imported ----
+
+mkdir "$work/random" "$work/library"
+# back FILE: its grid, painted and imported, is its grid.
+back() {
+    sed '1d;s/ //g' "$1" | tr KP kp | awk '{ row[NR] = $0 } END { for (i = NR; i > 0; i--) print row[i] }' |
+        "$paint" indexed "$work/x.png" && "$WEFT" import -q "$work/x.png" >"$work/x.knit" &&
+        "$WEFT" chart --grid "$work/x.knit" | cmp "$1" -
+}
+library_scripts "$work/library"
+for file in "$work"/library/*.knit; do
+    "$WEFT" chart -q --grid "$file" >"$work/grid.txt"
+    check "$(basename "$file" .knit)" back "$work/grid.txt"
+done
+random_grids "$work/random" 40
+bad=0
+for file in "$work"/random/*.txt; do
+    back "$file" || bad=$((bad + 1))
+done
+check 'random grids come back' test "$bad" = 0
+
+finish
