@@ -76,7 +76,7 @@ holds 'none of these wrote anything' "$work/set" r.json
 # ---- outputs that cannot be written: said before any work ----
 
 exits 2 'a kind that is not there yet' "$WEFT" run "$work/rib.knit" -o "$work/set/x.png"
-err 'says which kinds there are' 'it can write: report, chart (.txt), pvd, vtp, obj$'
+err 'says which kinds there are' 'it can write: report, chart (.txt), chart (.csv), pvd, vtp, obj$'
 empty 'before it starts' "$work/out"
 printf 'output "x.stl"\n' | cat "$work/rib.knit" - >"$work/stl.knit"
 exits 3 'a kind that is not there yet, in the script' "$WEFT" run "$work/stl.knit"
