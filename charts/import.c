@@ -60,14 +60,20 @@ static size_t chart_length(const struct grid *g)
 }
 
 /* Rows are copied with their sides, so an odd number of them cannot be stacked. */
+static bool rows_can(const struct pattern *p)
+{
+    const struct grid *g = p->grid;
+    return (p->up == 1 || g->rows % 2 == 0) && g->rows <= LIMIT_WRITTEN_ROWS && g->columns <= LIMIT_ITEMS / g->rows;
+}
+
 static void write_body(struct text *text, const struct pattern *p)
 {
     static const struct written_style style = {.open = true, .indent = "  "};
     struct text rows = {.arena = text->arena};
-    bool can = p->up == 1 || p->grid->rows % 2 == 0;
+    bool can = rows_can(p), must = p->grid->columns > LIMIT_LINE / 2;
     if (can)
         written_rows(&rows, p->grid, &style);
-    if (can && rows.length <= chart_length(p->grid))
+    if (can && (must || rows.length <= chart_length(p->grid)))
         text_bytes(text, rows.bytes, rows.length);
     else
         write_chart(text, p->grid);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * A text in, the files of -o or standard output out. */
+ * A script's text in, the files of -o or standard output out. */
 #include <config.h>
 
 #include "cli/deliver.h"
@@ -16,8 +16,27 @@ static bool write_text(struct file_log *log, const char *path, const struct text
     return file && file_commit(file);
 }
 
-enum status deliver(const struct options *options, const struct text *text)
+static enum status read_again(const struct text *text, const char *name, const struct grid *grid)
 {
+    struct arena arena = {0};
+    struct diag diag;
+    diag_init(&diag, &arena);
+    const struct source *source = source_from_text(&arena, name, text->bytes, text->length);
+    const struct scene *scene = scene_compile(&arena, &diag, source, NULL);
+    bool same = scene && grid_equal(scene->grid, grid);
+    if (!same)
+        fprintf(stderr, "weft: %s: this fabric cannot be written as a script: %s\n", name,
+                diag.first ? diag.first->text : "it would be read differently");
+    arena_free(&arena);
+    return same ? STATUS_DONE : STATUS_SCRIPT;
+}
+
+enum status deliver_script(const struct options *options, const struct text *text, const char *name,
+                           const struct grid *grid)
+{
+    enum status status = read_again(text, name, grid);
+    if (status != STATUS_DONE)
+        return status;
     struct file_log log = {0};
     bool done = options->noutputs > 0 || write_text(&log, NULL, text);
     for (int i = 0; i < options->noutputs && done; i++)

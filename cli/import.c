@@ -95,7 +95,8 @@ static enum status import_source(struct import *import)
     if (import->diag.nerrors)
         return STATUS_SCRIPT;
     import_script(&text, &pattern, import->source->name, format->what);
-    return deliver(options, &text);
+    const struct grid *whole = grid_tile(import->arena, pattern.grid, pattern.across, pattern.up);
+    return deliver_script(options, &text, import->source->name, whole);
 }
 
 enum status command_import(const struct options *options)

@@ -22,7 +22,7 @@ enum status command_write(const struct options *options)
         status = script_knit_and_purl(scene);
     if (status == STATUS_DONE) {
         written_pattern(&text, scene->grid, options->round);
-        status = deliver(options, &text);
+        status = deliver_script(options, &text, scene->file, scene->grid);
     }
     script_free(&script);
     return status;

@@ -160,6 +160,14 @@ exits 4 'a folder that is not there' "$WEFT" import "$work/flag.txt" -o "$work/n
 exits 2 'no file' "$WEFT" import
 exits 2 'an option of others' "$WEFT" import --grid "$work/flag.txt"
 
+# Long lines and many rows fit the script's own limits.
+awk 'BEGIN { for (i = 0; i < 1000000; i++) printf i * i % 7 < 3 ? "K" : "P" }' >"$work/wide.txt"
+check 'a million stitches wide' sh -c '"$1" import "$2/wide.txt" | "$1" check - >"$2/out"' - "$WEFT" "$work"
+out 'all of them' '1000000 stitches x 1 rows'
+awk 'BEGIN { for (i = 0; i < 110000; i++) print i * i % 7 < 3 ? "K" : "P" }' >"$work/high.txt"
+check 'a hundred thousand rows' sh -c '"$1" import "$2/high.txt" | "$1" check - >"$2/out"' - "$WEFT" "$work"
+out 'all of them' '1 stitches x 110000 rows'
+
 # ---- there and back ----
 
 mkdir "$work/random" "$work/library"

@@ -123,5 +123,10 @@ printf 'swatch each (x, y) in 900 by 900 : (x * x + 3 * y * y + x * y) mod 7 < 3
 check 'a large fabric' back "$work/large.knit"
 printf 'swatch each (x, y) in 4 by 100000 : (x * x + 3 * y * y) mod 7 < 3 ? P : K\n' >"$work/high.knit"
 check 'a high fabric' back "$work/high.knit"
+awk 'BEGIN { srand(5); for (i = 0; i < 110000; i++) print rand() < 0.5 ? "KP" : "PK" }' >"$work/noise.txt"
+"$WEFT" import "$work/noise.txt" >"$work/noise.knit"
+exits 3 'one that has too many rows of its own' "$WEFT" write "$work/noise.knit"
+err 'is refused with the reason' 'noise.knit: this fabric cannot be written as a script: a row number is'
+empty 'and nothing comes out' "$work/out"
 
 finish
