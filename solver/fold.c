@@ -20,7 +20,7 @@
 #include "solver/sheet.h"
 
 static const double GROWING = 1e-4;     /* tolerance of a growth step, young * thickness^2 */
-static const double COARSE = 1e-6;      /* tolerance of a level that is refined further */
+static const double COARSE = 1e-5;      /* tolerance of a level that is refined further */
 
 struct fold {
     const struct sheet         *sheet;

@@ -11,6 +11,7 @@
 #include "solver/stopwatch.h"
 
 static const double ARMIJO = 1e-4;          /* share of the predicted decrease a step must reach */
+static const double KEPT = 0.1;             /* of the gradient must be all that a step leaves for its factor to serve again */
 static const double ROUNDING = 1e-13;       /* of the energy: smaller decreases are not seen */
 static const double FIRST_SHIFT = 1e-5, LAST_SHIFT = 1e6;
 static const double GAIN = 1e-4;            /* of the decrease: a conjugate step that adds less is the last */
@@ -49,11 +50,11 @@ static void cap_step(const struct discretisation *d, double most, double *step)
             step[i] *= most / furthest;
 }
 
-/* step = -T (H + shift M)^-1 T^T g */
-static bool factored_step(struct problem *p, const double *x, double *shift)
+/* step = -T (H + shift M)^-1 T^T g, with the Hessian at x or, where keep is set, the one factored before */
+static bool factored_step(struct problem *p, const double *x, double *shift, bool keep)
 {
     const struct discretisation *d = p->d;
-    if (!factor_shifted(p, x, shift))
+    if (!keep && !factor_shifted(p, x, shift))
         return false;
     double start = stopwatch();
     const double *g = p->gradient;
@@ -132,30 +133,38 @@ enum outcome newton_minimise(struct problem *p, double *x)
 {
     const struct sheet *sheet = p->d->sheet;
     double shift = 0, most = 0.25 * fmax(sheet->columns * sheet->dx, sheet->rows * sheet->dy);
-    double energy = problem_evaluate(p, x);
+    double energy = problem_evaluate(p, x), before = INFINITY;
+    bool keep = false;      /* near the end one factor serves several steps */
     if (!isfinite(energy))
         return OUTCOME_FAILED;
     while (p->gradient_max > p->tolerance) {
+        keep = keep && p->gradient_max < KEPT * before;
+        before = p->gradient_max;
         if (p->effort->iterations >= p->limit)
             return OUTCOME_LIMIT;
-        if (!(p->two_level ? conjugate_step(p, x) : factored_step(p, x, &shift)))
+        if (!(p->two_level ? conjugate_step(p, x) : factored_step(p, x, &shift, keep)))
             return OUTCOME_FAILED;
         cap_step(p->d, most, p->step);
         double slope = dot(p->d->n, p->gradient, p->step);
         if (-slope < ROUNDING * fabs(energy)) {
             p->effort->iterations++;
-            if (!step_by_gradient(p, x))
+            if (!step_by_gradient(p, x) && !keep)
                 return OUTCOME_PRECISION;
+            keep = false;
             energy = p->energy.total;
             continue;
         }
         double length = line_search(p, x, energy, slope);
         if (length == 0) {
             problem_evaluate(p, x);
-            return OUTCOME_STALLED;
+            if (!keep)
+                return OUTCOME_STALLED;
+            keep = false;
+            continue;
         }
         p->effort->iterations++;
         energy = p->energy.total;
+        keep = length == 1 && shift == 0 && !p->two_level;
         if (length == 1)
             shift = shift / 8 < FIRST_SHIFT * 1e-3 ? 0 : shift / 8;
         else if (length < 0.25)

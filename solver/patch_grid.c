@@ -293,10 +293,11 @@ void patch_prolong(const struct discretisation *coarse, const double *x, const s
                    double *x_fine)
 {
     const struct patch *from = (const struct patch *)coarse, *to = (const struct patch *)fine;
-    double ratio = (double)from->nx / to->nx, r[3][3][3];
+    double ratio = (double)from->nx / to->nx;
+#pragma omp parallel for num_threads(fine->threads) if (fine->threads > 1)
     for (int j = 0; j < to->my; j++)
         for (int i = 0; i < to->mx; i++) {
-            double *node = x_fine + to->per_node * to->place[j * to->mx + i];
+            double r[3][3][3], *node = x_fine + to->per_node * to->place[j * to->mx + i];
             evaluate(from, x, i * ratio, j * ratio, r);
             for (int c = 0; c < 3; c++) {
                 node[c] = r[0][0][c];

@@ -54,24 +54,28 @@ static void multiply(const struct pattern *p, const double *H, const double *v, 
     }
 }
 
-/* Dense Cholesky factor of each node's block, row by row; false: not positive definite. */
+/* L (m x m, row by row) of the block of the node whose first unknown is given; false: not positive definite. */
+static bool factor_block(const struct pattern *p, const double *H, int first, int m, double *L)
+{
+    for (int j = 0; j < m; j++)
+        for (int i = j; i < m; i++) {
+            double a = H[p->start[first + j] + i - j];
+            for (int k = 0; k < j; k++)
+                a -= L[i * m + k] * L[j * m + k];
+            if (i == j && !(a > 0))
+                return false;
+            L[i * m + j] = i == j ? sqrt(a) : a / L[j * m + j];
+        }
+    return true;
+}
+
 static bool factor_blocks(struct two_level *t)
 {
-    const struct pattern *p = &t->fine->pattern;
-    int m = t->fine->block;
-    for (int first = 0; first < p->n; first += m) {
-        double *L = t->blocks + (size_t)first * (size_t)m;
-        for (int j = 0; j < m; j++)
-            for (int i = j; i < m; i++) {
-                double a = t->H[p->start[first + j] + i - j];
-                for (int k = 0; k < j; k++)
-                    a -= L[i * m + k] * L[j * m + k];
-                if (i == j && !(a > 0))
-                    return false;
-                L[i * m + j] = i == j ? sqrt(a) : a / L[j * m + j];
-            }
-    }
-    return true;
+    int m = t->fine->block, nblocks = t->fine->n / m, failed = 0;
+#pragma omp parallel for num_threads(t->fine->threads) reduction(+ : failed) if (t->fine->threads > 1)
+    for (int i = 0; i < nblocks; i++)
+        failed += !factor_block(&t->fine->pattern, t->H, i * m, m, t->blocks + (size_t)i * (size_t)(m * m));
+    return failed == 0;
 }
 
 static void solve_block(const double *L, int m, const double *b, double *x)
@@ -107,10 +111,13 @@ static void precondition(struct two_level *t, const double *r, double *z)
     coarse->op->restrict_gradient(coarse, t->down, fine, r);
     factor_solve(t->factor, t->down, t->down);
     coarse->op->prolong(coarse, t->down, fine, t->up);
-    for (int i = 0; i < fine->n; i += fine->block)
-        solve_block(t->blocks + (size_t)i * (size_t)fine->block, fine->block, r + i, z + i);
-    for (int i = 0; i < fine->n; i++)
-        z[i] += t->up[i];
+    int m = fine->block;
+#pragma omp parallel for num_threads(fine->threads) if (fine->threads > 1)
+    for (int i = 0; i < fine->n; i += m) {
+        solve_block(t->blocks + (size_t)i * (size_t)m, m, r + i, z + i);
+        for (int k = i; k < i + m; k++)
+            z[k] += t->up[k];
+    }
 }
 
 static double dot(int n, const double *a, const double *b)
