@@ -9,7 +9,7 @@
 #include "solver/patch_grid.h"
 #include "solver/patch_kernel.h"
 
-enum { WORTH_THREADS = 1024 };      /* elements from which a second thread helps */
+enum { WORTH_THREADS = 200 };      /* elements from which a second thread helps */
 
 /* ---- one batch of eight elements ---- */
 
