@@ -21,7 +21,6 @@ struct run {
     bool            preconditioned;
     double         *x0;                 /* (n) where the factor was taken */
     double          scale;              /* s */
-    double          energy;             /* before the last step, for the test of progress */
 };
 
 /* dx = T P^T L^-T y and its transpose. */

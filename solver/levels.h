@@ -9,7 +9,7 @@
 enum { LEVELS_MOST_UNKNOWNS = 1000000 };
 
 /* The level a fold grows on: for patches the spline on the stitches' lines,
- * for triangles the coarsest that halves to; for plain libLBFGS, the paper's
+ * for triangles the coarsest mesh the wanted one is a doubling of; for plain libLBFGS, the paper's
  * own way, the one asked for. */
 struct discretisation *levels_first(const struct sheet *sheet, int threads);
 
