@@ -120,7 +120,7 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
         if (status != STATUS_DONE)
             return status;
         if (find_writer(output->kind, output->path)->due == DUE_STEP)
-            outputs->pvd[i] = pvd_begin(&outputs->log, output->path, scene);
+            outputs->pvd[i] = pvd_begin(&outputs->log, output->path, scene, output->format);
     }
     return STATUS_DONE;
 }
@@ -185,7 +185,8 @@ static bool write_step(struct outputs *outputs, int index, const struct occasion
 static bool write_vtp(struct outputs *outputs, int index, const struct occasion *now)
 {
     struct surface surface = sample(outputs->scene, index, now->state);
-    bool done = vtp_write(&outputs->log, outputs->scene->output[index].path, outputs->scene, &surface, VTP_BINARY);
+    const struct output *output = &outputs->scene->output[index];
+    bool done = vtp_write(&outputs->log, output->path, outputs->scene, &surface, output->format);
     surface_free(&surface);
     return done;
 }

@@ -2,32 +2,32 @@
  * `output` statements and -o options in, the scene's list of files out. */
 #include "lang/outputs.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "lang/limits.h"
+#include "lang/settings.h"
 
-/* What each kind is called, the extensions it may have, and whether it is a
- * surface, sampled per stitch. */
+/* What each kind is called, and the extensions it may have. */
 static const struct kind {
     const char *name;
     const char *extension[5];
-    bool surface;
 } kinds[OUTPUT_KINDS] = {
-    [OUTPUT_REPORT] = {"report", {"json"}, false},
-    [OUTPUT_CHART] = {"chart", {"txt", "svg", "pdf", "png", "csv"}, false},
-    [OUTPUT_PICTURE] = {"picture", {"png", "svg", "pdf"}, false},
-    [OUTPUT_PLOT] = {"plot", {"svg", "pdf", "png"}, false},
-    [OUTPUT_TABLE] = {"table", {"csv"}, false},
-    [OUTPUT_PVD] = {"pvd", {"pvd"}, true},
-    [OUTPUT_VTP] = {"vtp", {"vtp"}, true},
-    [OUTPUT_OBJ] = {"obj", {"obj"}, true},
-    [OUTPUT_PLY] = {"ply", {"ply"}, true},
-    [OUTPUT_STL] = {"stl", {"stl"}, true},
-    [OUTPUT_GLB] = {"glb", {"glb"}, true},
-    [OUTPUT_HTML] = {"html", {"html"}, false},
+    [OUTPUT_REPORT] = {"report", {"json"}},
+    [OUTPUT_CHART] = {"chart", {"txt", "svg", "pdf", "png", "csv"}},
+    [OUTPUT_PICTURE] = {"picture", {"png", "svg", "pdf"}},
+    [OUTPUT_PLOT] = {"plot", {"svg", "pdf", "png"}},
+    [OUTPUT_TABLE] = {"table", {"csv"}},
+    [OUTPUT_PVD] = {"pvd", {"pvd"}},
+    [OUTPUT_VTP] = {"vtp", {"vtp"}},
+    [OUTPUT_OBJ] = {"obj", {"obj"}},
+    [OUTPUT_PLY] = {"ply", {"ply"}},
+    [OUTPUT_STL] = {"stl", {"stl"}},
+    [OUTPUT_GLB] = {"glb", {"glb"}},
+    [OUTPUT_HTML] = {"html", {"html"}},
 };
 
 /* The kind of an extension that says nothing else. */
@@ -191,29 +191,79 @@ static void add(struct eval *eval, struct outputs *outputs, struct span span, st
     outputs->output[outputs->n++] = output;
 }
 
-static bool read_pairs(struct eval *eval, const struct pair *pair, struct output *output)
+/* ---- keys ---- */
+
+enum key_type { KEY_WHOLE, KEY_WORD };
+
+#define BIT(kind) (1u << (kind))
+#define SURFACES  (BIT(OUTPUT_PVD) | BIT(OUTPUT_VTP) | BIT(OUTPUT_OBJ) | BIT(OUTPUT_PLY) | BIT(OUTPUT_STL) | BIT(OUTPUT_GLB))
+#define AT(field) offsetof(struct output, field)
+
+static const char *const formats[] = {"binary", "ascii", NULL};
+
+/* What may stand in an output's block, and for which kinds. */
+static const struct key {
+    const char *name;
+    unsigned kinds;             /* set of BIT */
+    enum key_type type;
+    int low, high;              /* whole numbers: allowed values, both included */
+    const char *const *words;   /* words: all of them, in the order of their enum */
+    size_t offset;              /* in struct output, of an int */
+} keys[] = {
+    {"per_stitch", SURFACES, KEY_WHOLE, 1, 64, NULL, AT(per_stitch)},
+    {"format", BIT(OUTPUT_PVD) | BIT(OUTPUT_VTP), KEY_WORD, 0, 0, formats, AT(format)},
+};
+enum { KEYS = sizeof keys / sizeof *keys };
+
+/* The key of that name that the kind knows, or NULL after saying so. */
+static const struct key *find_key(struct eval *eval, const struct pair *pair, enum output_kind kind)
 {
-    static const char *const known[] = {"per_stitch"};
+    struct nearest nearest = nearest_to(pair->key);
+
+    for (int i = 0; i < KEYS; i++) {
+        if (!(keys[i].kinds & BIT(kind)))
+            continue;
+        if (strcmp(keys[i].name, pair->key) == 0)
+            return &keys[i];
+        nearest_offer(&nearest, keys[i].name);
+    }
+    diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "output %s has no key '%s'", kinds[kind].name, pair->key);
+    diag_did_you_mean(eval->diag, nearest.best);
+    return NULL;
+}
+
+static bool read_key(struct eval *eval, const struct key *key, const struct expr *e, struct output *output)
+{
+    const struct where where = {eval->main, NULL};
+    int *to = (int *)((char *)output + key->offset);
     long long n;
 
+    if (key->type == KEY_WORD) {
+        *to = settings_word(eval, where, key->name, key->words, e);
+        return *to >= 0;
+    }
+    if (!eval_whole(eval, where, e, key->low, key->high, key->name, &n))
+        return false;
+    *to = (int)n;
+    return true;
+}
+
+static bool read_pairs(struct eval *eval, const struct pair *pair, struct output *output)
+{
+    bool given[KEYS] = {false};
+
     for (; pair; pair = pair->next) {
-        if (strcmp(pair->key, "per_stitch") != 0) {
-            diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "output has no key '%s'", pair->key);
-            diag_did_you_mean(eval->diag, nearest_in(pair->key, known, 1));
+        const struct key *key = find_key(eval, pair, output->kind);
+
+        if (!key)
+            return false;
+        if (given[key - keys]) {
+            diag_error(eval->diag, CODE_TWICE, pair->key_span, "'%s' is given twice", key->name);
             return false;
         }
-        if (!kinds[output->kind].surface) {
-            diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "a %s has no samples per stitch",
-                       kinds[output->kind].name);
+        given[key - keys] = true;
+        if (!read_key(eval, key, pair->value, output))
             return false;
-        }
-        if (output->per_stitch) {
-            diag_error(eval->diag, CODE_TWICE, pair->key_span, "'per_stitch' is given twice");
-            return false;
-        }
-        if (!eval_whole(eval, (struct where){eval->main, NULL}, pair->value, 1, 64, "per_stitch", &n))
-            return false;
-        output->per_stitch = (int)n;
     }
     return true;
 }

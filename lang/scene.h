@@ -68,11 +68,14 @@ enum output_kind { OUTPUT_REPORT, OUTPUT_CHART, OUTPUT_PICTURE, OUTPUT_PLOT, OUT
                    OUTPUT_PVD, OUTPUT_VTP, OUTPUT_OBJ, OUTPUT_PLY, OUTPUT_STL, OUTPUT_GLB,
                    OUTPUT_HTML, OUTPUT_KINDS };
 
+enum output_format { FORMAT_BINARY, FORMAT_ASCII };
+
 /* One file to write.  Keys of its block that a kind does not know are errors at compile time. */
 struct output {
     enum output_kind kind;
     const char      *path;          /* {name} of a param already replaced; as written, relative to the working folder */
     int              per_stitch;    /* samples along a stitch's side, 0 = the kind's default */
+    int              format;        /* pvd, vtp: enum output_format */
     int              line;          /* of the script, 0 = command line */
 };
 

@@ -127,6 +127,15 @@ static bool read_word(struct eval *eval, struct where where, const struct key *k
     return true;
 }
 
+int settings_word(struct eval *eval, struct where where, const char *name, const char *const *words,
+                  const struct expr *e)
+{
+    const struct key key = {.name = name, .type = KEY_WORD, .words = words};
+    struct setting_value value;
+
+    return read_word(eval, where, &key, e, &value) ? (int)value.number : -1;
+}
+
 /* One side adds itself to the set; `all` and `none` stand alone. */
 static bool add_edge(struct eval *eval, struct where where, const struct key *key, const struct expr *e,
                      bool alone, unsigned *set)

@@ -28,6 +28,9 @@ void settings_block(struct eval *, struct settings *, const struct stmt *);
 /* Sets "block.key" from the command line; false where there is no such key. */
 bool settings_override(struct eval *, struct settings *, const char *name, const struct expr *value);
 
+/* The word a key is given, as its place in words (NULL ends them); -1 after saying what is wrong. */
+int settings_word(struct eval *, struct where, const char *key, const char *const *words, const struct expr *);
+
 void settings_offer(struct arena *, struct nearest *);
 
 /* Puts the values where the scene has them, and lists them. */

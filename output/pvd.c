@@ -10,11 +10,13 @@
 
 #include "output/number.h"
 
-struct pvd pvd_begin(struct file_log *log, const char *path, const struct scene *scene)
+struct pvd pvd_begin(struct file_log *log, const char *path, const struct scene *scene,
+                     enum output_format format)
 {
     char last[NUMBER_TEXT];
     int digits = snprintf(last, sizeof last, "%d", scene->solve.steps);
-    return (struct pvd){.log = log, .path = path, .scene = scene, .digits = digits < 2 ? 2 : digits};
+    return (struct pvd){.log = log, .path = path, .scene = scene, .format = format,
+                        .digits = digits < 2 ? 2 : digits};
 }
 
 void pvd_end(struct pvd *pvd)
@@ -81,7 +83,7 @@ bool pvd_step(struct pvd *pvd, double growth, const struct surface *surface)
         return false;
     }
     pvd->growth = times;
-    if (!vtp_write(pvd->log, path, pvd->scene, surface, VTP_BINARY))
+    if (!vtp_write(pvd->log, path, pvd->scene, surface, pvd->format))
         return false;
     times[pvd->nsteps++] = growth;
     return write_collection(pvd);

@@ -11,13 +11,15 @@ struct pvd {
     struct file_log    *log;
     const char         *path;
     const struct scene *scene;
+    enum output_format  format;     /* of the steps */
     int                 digits;     /* of a step's number in its file's name */
     int                 nsteps;     /* so far */
     double             *growth;     /* (nsteps) owned, the time of each step */
 };
 
 /* Begins a collection of at most scene->solve.steps + 1 steps; writes nothing yet. */
-struct pvd pvd_begin(struct file_log *log, const char *path, const struct scene *scene);
+struct pvd pvd_begin(struct file_log *log, const char *path, const struct scene *scene,
+                     enum output_format format);
 
 /* Writes step number nsteps beside the collection, named after it
  * (miura.pvd: miura_00.vtp, ...), then the collection that names it by a

@@ -216,7 +216,7 @@ static void append_values(struct file *file, const struct array *a, const struct
 }
 
 /* Declares all arrays; binary ones name their place after the XML, ascii ones follow at once. */
-static void print_piece(struct file *file, const struct mesh_view *m, enum vtp_format format)
+static void print_piece(struct file *file, const struct mesh_view *m, enum output_format format)
 {
     uint64_t at = 0;
     for (enum section section = 0; section < NSECTIONS; section++) {
@@ -226,7 +226,7 @@ static void print_piece(struct file *file, const struct mesh_view *m, enum vtp_f
                 continue;
             file_print(file, "<DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" ",
                        scalar_of[a->scalar].name, a->name, a->components);
-            if (format == VTP_ASCII) {
+            if (format == FORMAT_ASCII) {
                 file_print(file, "format=\"ascii\">\n");
                 print_values(file, a, m);
                 file_print(file, "</DataArray>\n");
@@ -248,7 +248,7 @@ static void append_arrays(struct file *file, const struct mesh_view *m)
 }
 
 bool vtp_write(struct file_log *log, const char *path, const struct scene *scene, const struct surface *surface,
-               enum vtp_format format)
+               enum output_format format)
 {
     const struct mesh_view m = {scene, surface};
     const char *order = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ ? "LittleEndian" : "BigEndian";
@@ -262,7 +262,7 @@ bool vtp_write(struct file_log *log, const char *path, const struct scene *scene
                order, npoints(surface), ncells(surface));
     print_piece(file, &m, format);
     file_print(file, "</Piece>\n</PolyData>\n");
-    if (format == VTP_BINARY)
+    if (format == FORMAT_BINARY)
         append_arrays(file, &m);
     file_print(file, "</VTKFile>\n");
     return file_commit(file);

@@ -163,10 +163,10 @@ static int row(int cell)
 }
 
 /* Everything a VTP of the sample must hold. */
-static void assert_vtp(struct place *p, enum vtp_format format)
+static void assert_vtp(struct place *p, enum output_format format)
 {
     assert_true(vtp_write(&p->log, path_in(p, "x.vtp"), &sample_scene, &p->surface, format));
-    struct vtp vtp = {.ascii = format == VTP_ASCII};
+    struct vtp vtp = {.ascii = format == FORMAT_ASCII};
     vtp.text = read_in(p, "x.vtp", &vtp.size);
     char value[64];
     attribute(strstr(vtp.text, "<VTKFile"), "header_type", value);
@@ -210,19 +210,19 @@ static void assert_vtp(struct place *p, enum vtp_format format)
 
 static void binary_vtp_reads_back(void **state)
 {
-    assert_vtp(*state, VTP_BINARY);
+    assert_vtp(*state, FORMAT_BINARY);
 }
 
 static void ascii_vtp_reads_back(void **state)
 {
-    assert_vtp(*state, VTP_ASCII);
+    assert_vtp(*state, FORMAT_ASCII);
 }
 
 static void vtp_is_the_same_twice(void **state)
 {
     struct place *p = *state;
-    assert_true(vtp_write(&p->log, path_in(p, "a.vtp"), &sample_scene, &p->surface, VTP_BINARY));
-    assert_true(vtp_write(&p->log, path_in(p, "b.vtp"), &sample_scene, &p->surface, VTP_BINARY));
+    assert_true(vtp_write(&p->log, path_in(p, "a.vtp"), &sample_scene, &p->surface, FORMAT_BINARY));
+    assert_true(vtp_write(&p->log, path_in(p, "b.vtp"), &sample_scene, &p->surface, FORMAT_BINARY));
     assert_string_equal(p->log.entry[0].sha256, p->log.entry[1].sha256);
 }
 
@@ -234,7 +234,7 @@ static void collection_is_valid_after_each_step(void **state)
     struct place *p = *state;
     char path[PATH_MAX + 64];
     snprintf(path, sizeof path, "%s/my & rib.v1.pvd", p->folder);
-    struct pvd pvd = pvd_begin(&p->log, path, &sample_scene);
+    struct pvd pvd = pvd_begin(&p->log, path, &sample_scene, FORMAT_BINARY);
     static const char *const entry[] = {
         "<DataSet timestep=\"0\" part=\"0\" file=\"my &amp; rib.v1_00.vtp\"/>",
         "<DataSet timestep=\"0.3333333333333333\" part=\"0\" file=\"my &amp; rib.v1_01.vtp\"/>",
@@ -265,7 +265,7 @@ static void many_steps_sort_by_name(void **state)
     struct place *p = *state;
     struct scene scene = sample_scene;
     scene.solve.steps = 100;
-    struct pvd pvd = pvd_begin(&p->log, path_in(p, "x.pvd"), &scene);
+    struct pvd pvd = pvd_begin(&p->log, path_in(p, "x.pvd"), &scene, FORMAT_BINARY);
     assert_true(pvd_step(&pvd, 0, &p->surface));
     assert_int_equal(access(path_in(p, "x_000.vtp"), R_OK), 0);
     pvd_end(&pvd);
@@ -274,7 +274,7 @@ static void many_steps_sort_by_name(void **state)
 static void collection_on_a_device_is_refused(void **state)
 {
     struct place *p = *state;
-    struct pvd pvd = pvd_begin(&p->log, "/dev/null", &sample_scene);
+    struct pvd pvd = pvd_begin(&p->log, "/dev/null", &sample_scene, FORMAT_BINARY);
     assert_false(pvd_step(&pvd, 0, &p->surface));
     assert_non_null(p->log.error);
     pvd_end(&pvd);
