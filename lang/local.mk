@@ -6,7 +6,7 @@ liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/code
     lang/scanner.h lang/scanner.c lang/syntax.h lang/syntax.c \
     lang/eval.h lang/eval.c lang/module.c lang/stitches.c lang/motif.c lang/builtin.c lang/body.c \
     lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/rows.h lang/rows.c \
-    lang/row_fit.h lang/row_fit.c lang/settings.h lang/settings.c lang/outputs.h lang/outputs.c \
+    lang/row_fit.h lang/row_fit.c lang/keys.h lang/keys.c lang/settings.h lang/settings.c lang/outputs.h lang/outputs.c \
     lang/params.h lang/params.c lang/compile.c lang/library.h lang/library.c \
     lang/parser.c lang/parser.h lang/lexer.c
 EXTRA_DIST += lang/parser.y lang/lexer.l

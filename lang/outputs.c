@@ -3,13 +3,12 @@
 #include "lang/outputs.h"
 
 #include <stddef.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "lang/keys.h"
 #include "lang/limits.h"
-#include "lang/settings.h"
 
 /* What each kind is called, and the extensions it may have. */
 static const struct kind {
@@ -193,77 +192,92 @@ static void add(struct eval *eval, struct outputs *outputs, struct span span, st
 
 /* ---- keys ---- */
 
-enum key_type { KEY_WHOLE, KEY_WORD };
-
-#define BIT(kind) (1u << (kind))
-#define SURFACES  (BIT(OUTPUT_PVD) | BIT(OUTPUT_VTP) | BIT(OUTPUT_OBJ) | BIT(OUTPUT_PLY) | BIT(OUTPUT_STL) | BIT(OUTPUT_GLB))
+#define OF(kind) (1u << OUTPUT_##kind)
+#define SURFACES (OF(PVD) | OF(VTP) | OF(OBJ) | OF(PLY) | OF(STL) | OF(GLB))
 #define AT(field) offsetof(struct output, field)
+#define WORDS(kind, first, all) .type = kind, .word = first, .words = all
 
 static const char *const formats[] = {"binary", "ascii", NULL};
+static const char *const views[] = {"iso", "top", "front", "side", NULL};
+static const double view_angles[][2] = {{30, 40}, {0, 90}, {0, 0}, {90, 0}};
+static const char *const lights[] = {"left", "right", "eye", NULL};
+static const double light_angles[][2] = {{-40, 40}, {40, 40}, {0, 0}};
+static const char *const colors[] = {"stitch", "height", "mean", "gauss", "bending", "stretching", NULL};
+static const char *const palettes[] = {"paper", "safe", NULL};
+static const char *const switches[] = {"off", "on", NULL};
+static const char *const backgrounds[] = {"white", "transparent", NULL};
 
-/* What may stand in an output's block, and for which kinds. */
-static const struct key {
-    const char *name;
-    unsigned kinds;             /* set of BIT */
-    enum key_type type;
-    int low, high;              /* whole numbers: allowed values, both included */
-    const char *const *words;   /* words: all of them, in the order of their enum */
-    size_t offset;              /* in struct output, of an int */
-} keys[] = {
-    {"per_stitch", SURFACES, KEY_WHOLE, 1, 64, NULL, AT(per_stitch)},
-    {"format", BIT(OUTPUT_PVD) | BIT(OUTPUT_VTP), KEY_WORD, 0, 0, formats, AT(format)},
+/* What the block of an output may hold, and the kinds that take it. */
+static const struct output_key {
+    unsigned kinds;
+    struct key key;
+} output_keys[] = {
+    {SURFACES | OF(PICTURE), {.name = "per_stitch", .type = KEY_WHOLE, .low = 1, .high = 64, .offset = AT(per_stitch)}},
+    {OF(PVD) | OF(VTP), {.name = "format", WORDS(KEY_WORD, "binary", formats), .offset = AT(format)}},
+    {OF(PICTURE), {.name = "view", WORDS(KEY_ANGLES, "iso", views), .angles = view_angles, .offset = AT(picture.view)}},
+    {OF(PICTURE), {.name = "light", WORDS(KEY_ANGLES, "left", lights), .angles = light_angles, .offset = AT(picture.light)}},
+    {OF(PICTURE), {.name = "width", .type = KEY_WHOLE, .low = 16, .high = 10000, .number = 800, .offset = AT(picture.width)}},
+    {OF(PICTURE), {.name = "color", WORDS(KEY_WORD, "stitch", colors), .offset = AT(picture.color)}},
+    {OF(PICTURE), {.name = "palette", WORDS(KEY_WORD, "paper", palettes), .offset = AT(picture.palette)}},
+    {OF(PICTURE), {.name = "edges", WORDS(KEY_SWITCH, "off", switches), .offset = AT(picture.edges)}},
+    {OF(PICTURE), {.name = "background", WORDS(KEY_SWITCH, "white", backgrounds), .offset = AT(picture.transparent)}},
+    {OF(PICTURE), {.name = "chart", WORDS(KEY_SWITCH, "off", switches), .offset = AT(picture.chart)}},
 };
-enum { KEYS = sizeof keys / sizeof *keys };
+enum { KEYS = sizeof output_keys / sizeof *output_keys };
 
-/* The key of that name that the kind knows, or NULL after saying so. */
-static const struct key *find_key(struct eval *eval, const struct pair *pair, enum output_kind kind)
+/* A key some kinds of output take. */
+static const struct output_key *find_key(const char *name)
 {
-    struct nearest nearest = nearest_to(pair->key);
-
-    for (int i = 0; i < KEYS; i++) {
-        if (!(keys[i].kinds & BIT(kind)))
-            continue;
-        if (strcmp(keys[i].name, pair->key) == 0)
-            return &keys[i];
-        nearest_offer(&nearest, keys[i].name);
-    }
-    diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "output %s has no key '%s'", kinds[kind].name, pair->key);
-    diag_did_you_mean(eval->diag, nearest.best);
+    for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
+        if (strcmp(k->key.name, name) == 0)
+            return k;
     return NULL;
 }
 
-static bool read_key(struct eval *eval, const struct key *key, const struct expr *e, struct output *output)
+static void set_defaults(struct output *output)
 {
-    const struct where where = {eval->main, NULL};
-    int *to = (int *)((char *)output + key->offset);
-    long long n;
+    for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++) {
+        struct key_value value = key_default(&k->key);
 
-    if (key->type == KEY_WORD) {
-        *to = settings_word(eval, where, key->name, key->words, e);
-        return *to >= 0;
+        key_store(&k->key, &value, output);
     }
-    if (!eval_whole(eval, where, e, key->low, key->high, key->name, &n))
-        return false;
-    *to = (int)n;
-    return true;
 }
 
-static bool read_pairs(struct eval *eval, const struct pair *pair, struct output *output)
+/* A key that no output has, or not this kind. */
+static void wrong_key(struct eval *eval, const struct pair *pair, enum output_kind kind)
 {
-    bool given[KEYS] = {false};
+    const char *name = kinds[kind].name, *list = "";
+    struct nearest nearest = nearest_to(pair->key);
 
-    for (; pair; pair = pair->next) {
-        const struct key *key = find_key(eval, pair, output->kind);
+    for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
+        if (k->kinds & 1u << kind) {
+            nearest_offer(&nearest, k->key.name);
+            list = arena_printf(eval->arena, "%s%s%s", list, *list ? ", " : "", k->key.name);
+        }
+    diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "output %s has no key '%s'", name, pair->key);
+    diag_did_you_mean(eval->diag, nearest.best);
+    if (!nearest.best && *list)
+        diag_hint(eval->diag, "its keys are %s", list);
+}
 
-        if (!key)
-            return false;
-        if (given[key - keys]) {
-            diag_error(eval->diag, CODE_TWICE, pair->key_span, "'%s' is given twice", key->name);
+static bool read_pairs(struct eval *eval, const struct pair *first, struct output *output)
+{
+    for (const struct pair *pair = first; pair; pair = pair->next) {
+        const struct output_key *k = find_key(pair->key);
+        struct key_value value;
+
+        if (!k || !(k->kinds & 1u << output->kind)) {
+            wrong_key(eval, pair, output->kind);
             return false;
         }
-        given[key - keys] = true;
-        if (!read_key(eval, key, pair->value, output))
+        for (const struct pair *earlier = first; earlier != pair; earlier = earlier->next)
+            if (strcmp(earlier->key, pair->key) == 0) {
+                diag_error(eval->diag, CODE_TWICE, pair->key_span, "'%s' is given twice", pair->key);
+                return false;
+            }
+        if (!key_read(eval, (struct where){eval->main, NULL}, &k->key, pair->value, &value))
             return false;
+        key_store(&k->key, &value, output);
     }
     return true;
 }
@@ -275,6 +289,7 @@ void outputs_statement(struct eval *eval, struct outputs *outputs, const struct 
     struct output output = {.line = diag_place(stmt->span).line,
                             .path = fill_in(eval, stmt->output.path, span)};
 
+    set_defaults(&output);
     if (!output.path)
         return;
     if (kind && !kind_of_name(kind, &output.kind)) {
@@ -296,6 +311,7 @@ void outputs_option(struct eval *eval, struct outputs *outputs, const struct sou
     struct output output = {.path = text};
     struct span span = {source, 0, (unsigned)source->size};
 
+    set_defaults(&output);
     if (colon && length && colon == text + length) {
         output.path = colon + 1;
         if (!kind_of_name(arena_copy(eval->arena, text, length), &output.kind)) {

@@ -338,6 +338,7 @@ settings:
 setting:
   %empty                                { $$ = NULL; }
 | name '=' expr                         { $$ = ast_pair(parse, @name, $name.name, $expr); }
+| name '=' '(' expr[a] ',' expr[b] ')'  { $a->next = $b; $$ = ast_pair(parse, @name, $name.name, expr_list(parse, span_join(@3, @7), $a)); }
 | error                                 { $$ = NULL; }
 ;
 

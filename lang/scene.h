@@ -69,6 +69,22 @@ enum output_kind { OUTPUT_REPORT, OUTPUT_CHART, OUTPUT_PICTURE, OUTPUT_PLOT, OUT
                    OUTPUT_HTML, OUTPUT_KINDS };
 
 enum output_format { FORMAT_BINARY, FORMAT_ASCII };
+enum coloring { COLOR_STITCH, COLOR_HEIGHT, COLOR_MEAN, COLOR_GAUSS, COLOR_BENDING, COLOR_STRETCHING };
+enum palette  { PALETTE_PAPER, PALETTE_SAFE };
+
+/* How a surface is shown.  Angles in degrees: azimuth about z, from the side of
+ * the first row (0) towards the right edge (90); elevation above the fabric's
+ * plane, 90 looks at the right side, -90 at the wrong side. */
+struct picture {
+    double        view[2];      /* azimuth, elevation of the eye */
+    double        light[2];     /* of the light as the eye sees it: to the right, upward; (0, 0) is behind the eye */
+    int           width;        /* pixels, or points in SVG and PDF */
+    enum coloring color;
+    enum palette  palette;
+    bool          edges;        /* lines around the stitches */
+    bool          transparent;  /* else white */
+    bool          chart;        /* the stitch chart beside the surface */
+};
 
 /* One file to write.  Keys of its block that a kind does not know are errors at compile time. */
 struct output {
@@ -76,6 +92,7 @@ struct output {
     const char      *path;          /* {name} of a param already replaced; as written, relative to the working folder */
     int              per_stitch;    /* samples along a stitch's side, 0 = the kind's default */
     int              format;        /* pvd, vtp: enum output_format */
+    struct picture   picture;       /* of the kinds that show the surface */
     int              line;          /* of the script, 0 = command line */
 };
 

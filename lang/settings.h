@@ -4,16 +4,15 @@
 #ifndef WEFT_SETTINGS_H
 #define WEFT_SETTINGS_H
 
-#include "lang/eval.h"
+#include "lang/keys.h"
 
 enum { SETTINGS = 17 };
 
 /* A key's value and where it comes from. */
 struct setting_value {
-    double       number;
-    const char  *text;          /* words: the one chosen */
-    enum origin  from;
-    struct span  span;          /* of the key in the file */
+    struct key_value value;
+    enum origin      from;
+    struct span      span;      /* of the key in the file */
 };
 
 struct settings {
@@ -27,9 +26,6 @@ void settings_block(struct eval *, struct settings *, const struct stmt *);
 
 /* Sets "block.key" from the command line; false where there is no such key. */
 bool settings_override(struct eval *, struct settings *, const char *name, const struct expr *value);
-
-/* The word a key is given, as its place in words (NULL ends them); -1 after saying what is wrong. */
-int settings_word(struct eval *, struct where, const char *key, const char *const *words, const struct expr *);
 
 void settings_offer(struct arena *, struct nearest *);
 

@@ -69,6 +69,17 @@ static void read_arguments(struct wishes *w, int argc, char **argv)
     w->options.output = w->output;
 }
 
+static void print_output(const struct output *o)
+{
+    const struct picture *p = &o->picture;
+
+    printf("output %s %s per_stitch=%d line=%d\n", output_kind_name(o->kind), o->path, o->per_stitch, o->line);
+    if (o->kind == OUTPUT_PICTURE)
+        printf("    view %g %g, light %g %g, width %d, color %d, palette %d%s%s%s\n", p->view[0], p->view[1],
+               p->light[0], p->light[1], p->width, (int)p->color, (int)p->palette, p->edges ? ", edges" : "",
+               p->transparent ? ", transparent" : "", p->chart ? ", chart" : "");
+}
+
 static void print_settings(const struct scene *scene)
 {
     static const char *const from[] = {"default", "file", "command line"};
@@ -87,8 +98,7 @@ static void print_settings(const struct scene *scene)
         printf(s->about ? " \"%s\"\n" : "\n", s->about);
     }
     for (int i = 0; i < scene->noutputs; i++)
-        printf("output %s %s per_stitch=%d line=%d\n", output_kind_name(scene->output[i].kind),
-               scene->output[i].path, scene->output[i].per_stitch, scene->output[i].line);
+        print_output(&scene->output[i]);
     for (int i = 0; i < scene->naxes; i++) {
         printf("sweep %s:", scene->axis[i].param);
         for (int j = 0; j < scene->axis[i].npoints; j++)

@@ -48,6 +48,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh \
     tests/golden/motif_frames.knit \
     tests/golden/names.knit \
     tests/golden/outputs.knit \
+    tests/golden/picture_keys.knit \
+    tests/golden/pictures.knit \
     tests/golden/place_of_statements.knit \
     tests/golden/repeat_no_count.knit \
     tests/golden/rows.knit \
@@ -80,6 +82,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh \
     tests/golden/motif_frames.expected \
     tests/golden/names.expected \
     tests/golden/outputs.expected \
+    tests/golden/picture_keys.expected \
+    tests/golden/pictures.expected \
     tests/golden/place_of_statements.expected \
     tests/golden/repeat_no_count.expected \
     tests/golden/rows.expected \
