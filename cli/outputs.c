@@ -14,6 +14,8 @@
 #include "cli/progress.h"
 #include "output/chart.h"
 #include "output/obj.h"
+#include "output/ply.h"
+#include "output/stl.h"
 #include "output/vtp.h"
 
 /* Samples along a stitch's side where an output does not say. */
@@ -32,7 +34,7 @@ struct occasion {
 };
 
 typedef bool write_output(struct outputs *outputs, int index, const struct occasion *now);
-static write_output write_report, write_chart, write_step, write_vtp, write_obj;
+static write_output write_report, write_chart, write_step, write_mesh;
 
 static const struct writer {
     enum output_kind kind;
@@ -44,8 +46,11 @@ static const struct writer {
     {OUTPUT_CHART,  ".txt", DUE_CHART,  write_chart},
     {OUTPUT_CHART,  ".csv", DUE_CHART,  write_chart},
     {OUTPUT_PVD,    NULL,   DUE_STEP,   write_step},
-    {OUTPUT_VTP,    NULL,   DUE_FINAL,  write_vtp},
-    {OUTPUT_OBJ,    NULL,   DUE_FINAL,  write_obj},
+    {OUTPUT_VTP,    NULL,   DUE_FINAL,  write_mesh},
+    {OUTPUT_OBJ,    NULL,   DUE_FINAL,  write_mesh},
+    {OUTPUT_PLY,    NULL,   DUE_FINAL,  write_mesh},
+    {OUTPUT_STL,    NULL,   DUE_FINAL,  write_mesh},
+    {OUTPUT_GLB,    NULL,   DUE_FINAL,  write_mesh},
 };
 enum { NWRITERS = sizeof writers / sizeof writers[0] };
 
@@ -110,7 +115,8 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
 {
     *outputs = (struct outputs){.scene = scene};
     outputs->pvd = calloc((size_t)scene->noutputs + 1, sizeof *outputs->pvd);
-    if (!outputs->pvd)
+    outputs->glb = calloc((size_t)scene->noutputs + 1, sizeof *outputs->glb);
+    if (!outputs->pvd || !outputs->glb)
         return STATUS_FAILED;
     for (int i = 0; i < scene->noutputs; i++) {
         const struct output *output = &scene->output[i];
@@ -121,6 +127,8 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
             return status;
         if (find_writer(output->kind, output->path)->due == DUE_STEP)
             outputs->pvd[i] = pvd_begin(&outputs->log, output->path, scene, output->format);
+        if (output->kind == OUTPUT_GLB)
+            outputs->glb[i] = glb_begin(scene);
     }
     return STATUS_DONE;
 }
@@ -129,7 +137,10 @@ void outputs_end(struct outputs *outputs)
 {
     for (int i = 0; outputs->pvd && i < outputs->scene->noutputs; i++)
         pvd_end(&outputs->pvd[i]);
+    for (int i = 0; outputs->glb && i < outputs->scene->noutputs; i++)
+        glb_end(&outputs->glb[i]);
     free(outputs->pvd);
+    free(outputs->glb);
     file_log_free(&outputs->log);
 }
 
@@ -182,20 +193,36 @@ static bool write_step(struct outputs *outputs, int index, const struct occasion
     return done;
 }
 
-static bool write_vtp(struct outputs *outputs, int index, const struct occasion *now)
+static bool write_mesh(struct outputs *outputs, int index, const struct occasion *now)
 {
-    struct surface surface = sample(outputs->scene, index, now->state);
-    const struct output *output = &outputs->scene->output[index];
-    bool done = vtp_write(&outputs->log, output->path, outputs->scene, &surface, output->format);
+    const struct scene *scene = outputs->scene;
+    const struct output *output = &scene->output[index];
+    struct file_log *log = &outputs->log;
+    struct surface surface = sample(scene, index, now->state);
+    bool done = false;
+    switch (output->kind) {
+    case OUTPUT_VTP: done = vtp_write(log, output->path, scene, &surface, output->format); break;
+    case OUTPUT_OBJ: done = obj_write(log, output->path, scene, &surface); break;
+    case OUTPUT_PLY: done = ply_write(log, output->path, scene, &surface); break;
+    case OUTPUT_STL: done = stl_write(log, output->path, &surface); break;
+    case OUTPUT_GLB: done = glb_write(&outputs->glb[index], log, output->path, &surface); break;
+    default: break;
+    }
     surface_free(&surface);
     return done;
 }
 
-static bool write_obj(struct outputs *outputs, int index, const struct occasion *now)
+/* What is written in the end, but has to be collected on the way. */
+static bool keep_step(struct outputs *outputs, int index, const struct occasion *now)
 {
+    struct glb *glb = &outputs->glb[index];
+    if (!glb_wants(glb, now->step->growth))
+        return glb_step(glb, now->step->growth, NULL);
     struct surface surface = sample(outputs->scene, index, now->state);
-    bool done = obj_write(&outputs->log, outputs->scene->output[index].path, outputs->scene, &surface);
+    bool done = glb_step(glb, now->step->growth, &surface);
     surface_free(&surface);
+    if (!done)
+        file_fail(&outputs->log, "out of memory");
     return done;
 }
 
@@ -209,6 +236,8 @@ static bool write_due(struct outputs *outputs, const struct occasion *now)
         const struct writer *writer = find_writer(output->kind, output->path);
         if (writer->due == now->due)
             done = writer->write(outputs, i, now);
+        else if (now->due == DUE_STEP && output->kind == OUTPUT_GLB)
+            done = keep_step(outputs, i, now);
     }
     outputs->write_s += progress_clock() - begun;
     return done;

@@ -6,6 +6,7 @@
 
 #include "cli/options.h"
 #include "output/file.h"
+#include "output/glb.h"
 #include "output/pvd.h"
 #include "output/report.h"
 #include "solver/fold.h"
@@ -14,6 +15,7 @@ struct outputs {
     const struct scene *scene;
     struct file_log     log;
     struct pvd         *pvd;        /* (scene->noutputs), begun where the output is a collection */
+    struct glb         *glb;        /* (scene->noutputs), begun where the output is one */
     double              write_s;    /* wall seconds so far */
 };
 

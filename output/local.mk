@@ -3,9 +3,14 @@ noinst_LIBRARIES += liboutput.a
 liboutput_a_SOURCES = \
     output/chart.c output/chart.h \
     output/file.c output/file.h \
+    output/glb.c output/glb.h \
     output/json.c output/json.h \
+    output/little.h \
     output/number.h \
     output/obj.c output/obj.h \
+    output/palette.c output/palette.h \
+    output/ply.c output/ply.h \
     output/pvd.c output/pvd.h \
     output/report.c output/report.h \
+    output/stl.c output/stl.h \
     output/vtp.c output/vtp.h

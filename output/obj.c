@@ -9,12 +9,9 @@
 #include <string.h>
 
 #include "output/number.h"
+#include "output/palette.h"
 
-/* Knit red, purl blue as the paper's figures; own stitches take turns with the rest. */
-static const struct { double red, green, blue; } palette[] = {
-    {0.80, 0.25, 0.20}, {0.20, 0.35, 0.75}, {0.90, 0.65, 0.15}, {0.25, 0.60, 0.45}, {0.55, 0.35, 0.65}, {0.45, 0.45, 0.45},
-};
-enum { NCOLOURS = sizeof palette / sizeof palette[0], NAME_SIZE = 128 };
+enum { NAME_SIZE = 128 };
 
 static void stitch_name(char name[NAME_SIZE], const struct scene *scene, int id)
 {
@@ -44,13 +41,12 @@ static bool write_materials(struct file_log *log, const char *path, const struct
     if (!file)
         return false;
     for (int id = 0; id < scene->nstitches; id++) {
-        int colour = id < 2 ? id : 2 + (id - 2) % (NCOLOURS - 2);
+        const struct colour c = palette_stitch(id);
         char name[NAME_SIZE];
         if (!is_used(scene, id))
             continue;
         stitch_name(name, scene, id);
-        file_print(file, "newmtl %s\nKd %g %g %g\nKs 0 0 0\nillum 1\n", name, palette[colour].red,
-                   palette[colour].green, palette[colour].blue);
+        file_print(file, "newmtl %s\nKd %g %g %g\nKs 0 0 0\nillum 1\n", name, c.red, c.green, c.blue);
     }
     return file_commit(file);
 }
