@@ -75,12 +75,12 @@ holds 'none of these wrote anything' "$work/set" r.json
 
 # ---- outputs that cannot be written: said before any work ----
 
-exits 2 'a kind that is not there yet' "$WEFT" run "$work/rib.knit" -o "$work/set/x.png"
-err 'says which kinds there are' 'it can write: report, chart (.txt), chart (.csv), pvd, vtp, obj$'
+exits 2 'a kind that is not there yet' "$WEFT" run "$work/rib.knit" -o "table:$work/set/x.csv"
+err 'says which kinds there are' 'it can write: report, chart (.txt).* glb'
 empty 'before it starts' "$work/out"
-printf 'output "x.stl"\n' | cat "$work/rib.knit" - >"$work/stl.knit"
-exits 3 'a kind that is not there yet, in the script' "$WEFT" run "$work/stl.knit"
-err 'has its place' 'stl.knit:5: error: .*it can write:'
+printf 'output table "x.csv"\n' | cat "$work/rib.knit" - >"$work/table.knit"
+exits 3 'a kind that is not there yet, in the script' "$WEFT" run "$work/table.knit"
+err 'has its place' 'table.knit:5: error: .*it can write:'
 exits 4 'a folder that is not there' "$WEFT" run "$work/rib.knit" -o "$work/none/x.pvd"
 err 'is named' "there is no folder '.*/none'"
 exits 4 'a folder that is a file' "$WEFT" run "$work/rib.knit" -o "$work/rib.knit/x.vtp"
