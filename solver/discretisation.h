@@ -55,6 +55,10 @@ struct discretisation_ops {
     void (*restrict_gradient)(const struct discretisation *coarse, double *gradient_coarse,
                               const struct discretisation *fine, const double *gradient_fine);
 
+    /* value_coarse (coarse pattern.start[n]) := P^T H_fine P; NULL where restrict_gradient is. */
+    void (*restrict_hessian)(const struct discretisation *coarse, double *value_coarse,
+                             const struct discretisation *fine, const double *value_fine);
+
     /* Fills all arrays of a surface with the sheet's stitches, any per_stitch. */
     void (*sample)(const struct discretisation *d, const double *x, double growth, struct surface *surface);
 

@@ -35,7 +35,7 @@ static double predicted_decrease(struct two_level *t, const double *x_fine, doub
 struct estimate estimate_error(const struct problem *p, const struct discretisation *coarse, struct factor *factor,
                                const double *x, const struct discretisation *fine, double *x_fine)
 {
-    struct two_level *t = two_level_make(coarse, factor, fine);
+    struct two_level *t = two_level_make(coarse, NULL, factor, fine);
     double *gradient = MEMORY_ARRAY(double, fine->n), *e = MEMORY_ARRAY(double, fine->n);
     p->d->op->prolong(p->d, x, fine, x_fine);
     double prolonged = fine->op->energy(fine, x_fine, p->growth, gradient).total, furthest = 0;

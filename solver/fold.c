@@ -33,6 +33,7 @@ struct fold {
     long                        most_factored;
     struct {
         struct discretisation *d;
+        double                *x;
         struct factor         *factor;
     } kept;                                     /* the last level that was factored, once one is too large */
     int                         pushes;     /* saddles left on all levels */
@@ -76,6 +77,7 @@ static void start_level(struct fold *fold)
 static void keep_level(struct fold *fold)
 {
     fold->kept.d = fold->state->d;
+    fold->kept.x = fold->state->x;
     fold->kept.factor = fold->problem.factor;
     fold->problem.factor = NULL;
 }
@@ -92,15 +94,16 @@ static void replace_level(struct fold *fold, struct discretisation *finer, doubl
     struct fold_state *state = fold->state;
     if (finer->n > fold->most_factored && finer->op->restrict_gradient && fold->problem.factor)
         keep_level(fold);
-    if (state->d != fold->kept.d)
-        state->d->op->free(state->d);
     close_level(fold);
-    free(state->x);
+    if (state->d != fold->kept.d) {
+        state->d->op->free(state->d);
+        free(state->x);
+    }
     state->d = finer;
     state->x = x;
     open_level(fold, state->growth);
     if (fold->kept.d)
-        fold->problem.two_level = two_level_make(fold->kept.d, fold->kept.factor, finer);
+        fold->problem.two_level = two_level_make(fold->kept.d, fold->kept.x, fold->kept.factor, finer);
 }
 
 /* ---- record ---- */
@@ -394,6 +397,7 @@ static void close_fold(struct fold *fold)
 {
     close_level(fold);
     factor_free(fold->kept.factor);
+    free(fold->kept.x);
     if (fold->kept.d)
         fold->kept.d->op->free(fold->kept.d);
     surface_free(&fold->coarser);

@@ -4,7 +4,7 @@ libsolver_a_SOURCES = \
     solver/discretisation.h solver/lanes.h solver/memory.c solver/memory.h \
     solver/sheet.c solver/sheet.h solver/fold.h solver/surface.c solver/surface.h \
     solver/patch.c solver/patch.h solver/patch_basis.c solver/patch_basis.h \
-    solver/patch_grid.c solver/patch_grid.h solver/patch_kernel.h \
+    solver/patch_grid.c solver/patch_grid.h solver/patch_kernel.h solver/patch_transfer.c \
     solver/dissection.c solver/dissection.h solver/springs.c solver/springs.h \
     solver/factor.c solver/factor.h solver/problem.c solver/problem.h solver/lbfgs.c \
     solver/newton.c solver/stopwatch.h solver/descent.c solver/descent.h \

@@ -73,23 +73,32 @@ static bool factored_step(struct problem *p, const double *x, double *shift, boo
     return true;
 }
 
+/* The Hessian at x and the coarse factor that goes with it; false: not to be had. */
+static bool update_levels(struct problem *p, const double *x, enum hessian_kind kind)
+{
+    double start = stopwatch();
+    bool done = two_level_update(p->two_level, x, p->growth, kind);
+    double assembled = stopwatch();
+    done = done && two_level_renew(p->two_level);
+    p->effort->assemble_s += assembled - start;
+    p->effort->factor_s += stopwatch() - assembled;
+    p->effort->factorisations++;
+    return done;
+}
+
 /* Conjugate gradients on H step = -g until a direction of negative curvature,
  * which is taken alone where it is the first (Steihaug 1983); the semidefinite
  * Hessian where a node's own block has a negative direction. */
 static bool conjugate_step(struct problem *p, const double *x)
 {
-    double start = stopwatch();
-    size_t size = sizeof *p->step * (size_t)p->d->n;
-    bool exact = two_level_update(p->two_level, x, p->growth, HESSIAN_EXACT);
-    if (!exact && !two_level_update(p->two_level, x, p->growth, HESSIAN_SEMIDEFINITE))
+    if (!update_levels(p, x, HESSIAN_EXACT) && !update_levels(p, x, HESSIAN_SEMIDEFINITE))
         return false;
-    double assembled = stopwatch();
-    p->effort->assemble_s += assembled - start;
+    double start = stopwatch();
     struct two_level_result result =
         two_level_solve(p->two_level, p->gradient, GAIN, MOST_CONJUGATE, p->step, p->trial);
     if (result.end == TWO_LEVEL_NEGATIVE && result.decrease == 0)
-        memcpy(p->step, p->trial, size);
-    p->effort->solve_s += stopwatch() - assembled;
+        memcpy(p->step, p->trial, sizeof *p->step * (size_t)p->d->n);
+    p->effort->solve_s += stopwatch() - start;
     return true;
 }
 
@@ -202,7 +211,7 @@ static double softest_direction(struct problem *p, double shift, double *v)
 static bool is_minimum_by_conjugates(struct problem *p, const double *x, double *direction)
 {
     uint64_t seed = 1;
-    if (!two_level_update(p->two_level, x, p->growth, HESSIAN_EXACT))
+    if (!update_levels(p, x, HESSIAN_EXACT))
         return false;
     for (int i = 0; i < p->d->n; i++)
         p->step[i] = noise_next(&seed);

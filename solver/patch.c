@@ -244,7 +244,8 @@ static void patch_free(struct discretisation *d)
 #define PATCH_OPS(name)                                                                                               \
     {                                                                                                                 \
         .kind = name, .flat = patch_flat, .energy = patch_energy, .hessian = patch_hessian, .mass = patch_mass,       \
-        .prolong = patch_prolong, .restrict_gradient = patch_restrict, .sample = patch_sample, .doubt = patch_doubt,         \
+        .prolong = patch_prolong, .restrict_gradient = patch_restrict, .restrict_hessian = patch_restrict_hessian,           \
+        .sample = patch_sample, .doubt = patch_doubt,                                                                 \
         .free = patch_free                                                                                            \
     }
 

@@ -51,6 +51,15 @@ static void spline_at(double s, double t, double N[3][3][BASIS_MAX])
                 N[i][j][a] = f[a % 3][i] * g[a / 3][j];
 }
 
+int basis_line(const struct basis *basis, double t, double f[BASIS_LINE][3])
+{
+    if (basis->kind == BASIS_HERMITE)
+        hermite_line(t, (double(*)[2][3])f);
+    else
+        spline_line(t, f);
+    return basis->kind == BASIS_HERMITE ? 4 : 3;
+}
+
 void basis_at(const struct basis *basis, double s, double t, double N[3][3][BASIS_MAX])
 {
     if (basis->kind == BASIS_HERMITE)

@@ -24,6 +24,12 @@ extern const struct basis basis_hermite, basis_spline;
 /* N (3 x 3 x BASIS_MAX): N[i][j][a] is the i-th derivative in s and j-th in t at (s, t). */
 void basis_at(const struct basis *basis, double s, double t, double N[3][3][BASIS_MAX]);
 
+/* f (BASIS_LINE x 3): the functions of one direction and their derivatives at t,
+ * whose products are those of the element; returns their number.  Hermite: value
+ * and slope of the first node, then of the second. */
+enum { BASIS_LINE = 4 };
+int basis_line(const struct basis *basis, double t, double f[BASIS_LINE][3]);
+
 /* Points and weights of the n-point Gauss rule on [0, 1], n <= GAUSS_MAX. */
 void basis_gauss(int n, double *point, double *weight);
 

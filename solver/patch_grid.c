@@ -287,47 +287,6 @@ static void evaluate(const struct patch *p, const double *x, double u, double v,
             }
 }
 
-/* Hermite values of the coarse surface at the fine nodes; exact, as the spaces
- * are nested.  The fine level is Hermite. */
-void patch_prolong(const struct discretisation *coarse, const double *x, const struct discretisation *fine,
-                   double *x_fine)
-{
-    const struct patch *from = (const struct patch *)coarse, *to = (const struct patch *)fine;
-    double ratio = (double)from->nx / to->nx;
-#pragma omp parallel for num_threads(fine->threads) if (fine->threads > 1)
-    for (int j = 0; j < to->my; j++)
-        for (int i = 0; i < to->mx; i++) {
-            double r[3][3][3], *node = x_fine + to->per_node * to->place[j * to->mx + i];
-            evaluate(from, x, i * ratio, j * ratio, r);
-            for (int c = 0; c < 3; c++) {
-                node[c] = r[0][0][c];
-                node[3 + c] = ratio * r[1][0][c];
-                node[6 + c] = ratio * r[0][1][c];
-                node[9 + c] = ratio * ratio * r[1][1][c];
-            }
-        }
-}
-
-/* The transpose of patch_prolong. */
-void patch_restrict(const struct discretisation *coarse, double *gradient_coarse, const struct discretisation *fine,
-                    const double *gradient_fine)
-{
-    const struct patch *to = (const struct patch *)coarse, *from = (const struct patch *)fine;
-    double ratio = (double)to->nx / from->nx, N[3][3][BASIS_MAX];
-    int first[9], per_node = to->basis->per_node;
-    memset(gradient_coarse, 0, sizeof *gradient_coarse * (size_t)coarse->n);
-    for (int j = 0; j < from->my; j++)
-        for (int i = 0; i < from->mx; i++) {
-            const double *g = gradient_fine + from->per_node * from->place[j * from->mx + i];
-            locate(to, i * ratio, j * ratio, N, first);
-            for (int a = 0; a < to->basis->count; a++)
-                for (int c = 0; c < 3; c++)
-                    gradient_coarse[first[a / per_node] + 3 * (a % per_node) + c] +=
-                        N[0][0][a] * g[c] + ratio * (N[1][0][a] * g[3 + c] + N[0][1][a] * g[6 + c]) +
-                        ratio * ratio * N[1][1][a] * g[9 + c];
-        }
-}
-
 static double dot3(const double *a, const double *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

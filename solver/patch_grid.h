@@ -75,11 +75,15 @@ static inline int patch_offset(const struct patch *p, int element, int a, int b)
 /* The operations that need no derivative of the energy. */
 void patch_flat(const struct discretisation *d, double *x);
 void patch_mass(const struct discretisation *d, double *mass);
+const char *patch_doubt(const struct discretisation *d, const double *x);
+void patch_sample(const struct discretisation *d, const double *x, double growth, struct surface *surface);
+
+/* Between nested levels: patch_transfer.c. */
 void patch_prolong(const struct discretisation *coarse, const double *x, const struct discretisation *fine,
                    double *x_fine);
 void patch_restrict(const struct discretisation *coarse, double *gradient_coarse, const struct discretisation *fine,
                     const double *gradient_fine);
-const char *patch_doubt(const struct discretisation *d, const double *x);
-void patch_sample(const struct discretisation *d, const double *x, double growth, struct surface *surface);
+void patch_restrict_hessian(const struct discretisation *coarse, double *value_coarse,
+                            const struct discretisation *fine, const double *value_fine);
 
 #endif

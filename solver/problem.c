@@ -90,24 +90,21 @@ static void choose_pins(const struct discretisation *d, const double *x, int pin
     }
 }
 
-/* Adds shift * mass, and stiffness at the pins of a free sheet: at any state
- * the step that solves with it is the free sheet's own, as the gradient does
- * no work along rigid motions. */
-static void regularise(struct problem *p, const double *x, double shift)
+void problem_regularise(const struct discretisation *d, const double *x, const double *mass, double shift,
+                        double *hessian)
 {
-    const struct discretisation *d = p->d;
     const int *diagonal = d->pattern.start;
     double mean = 0;
     for (int i = 0; i < d->n; i++)
-        mean += p->hessian[diagonal[i]] / d->n;
+        mean += hessian[diagonal[i]] / d->n;
     for (int i = 0; i < d->n; i++)
-        p->hessian[diagonal[i]] += shift * p->mass[i];
+        hessian[diagonal[i]] += shift * mass[i];
     if (d->sheet->spring > 0)
         return;
     int pin[6];
     choose_pins(d, x, pin);
     for (int k = 0; k < 6; k++)
-        p->hessian[diagonal[pin[k]]] += mean;
+        hessian[diagonal[pin[k]]] += mean;
 }
 
 enum factor_result problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift)
@@ -116,7 +113,7 @@ enum factor_result problem_factor(struct problem *p, const double *x, enum hessi
     if (!p->hessian)
         p->hessian = MEMORY_ARRAY(double, p->d->pattern.start[p->d->n]);
     p->d->op->hessian(p->d, x, p->growth, kind, p->hessian);
-    regularise(p, x, shift);
+    problem_regularise(p->d, x, p->mass, shift, p->hessian);
     double assembled = stopwatch();
     p->effort->assemble_s += assembled - start;
     if (!p->factor)

@@ -51,6 +51,12 @@ void problem_close(struct problem *p);
 /* Energy, gradient and their largest component at x; returns the total energy, not finite where x makes no sense. */
 double problem_evaluate(struct problem *p, const double *x);
 
+/* Adds shift * mass, and stiffness at the pins of a free sheet, to a Hessian: at
+ * any state x the step that solves with it is the free sheet's own, as the
+ * gradient does no work along rigid motions. */
+void problem_regularise(const struct discretisation *d, const double *x, const double *mass, double shift,
+                        double *hessian);
+
 /* Factors H(x) + shift * mass, rigid modes of a free sheet pinned. */
 enum factor_result problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift);
 

@@ -7,26 +7,33 @@
 #include <string.h>
 
 #include "solver/memory.h"
+#include "solver/problem.h"
+
+static const double FIRST_SHIFT = 1e-5, LAST_SHIFT = 1e6;
 
 struct two_level {
     const struct discretisation *coarse, *fine;
+    const double  *x_coarse;        /* (coarse n) */
     struct factor *factor;
     double        *H;               /* (pattern.start[n]) of the fine level */
+    double        *H_coarse, *mass; /* (coarse pattern.start[n]), (coarse n); NULL until the factor is renewed */
     double        *blocks;          /* (n x block) Cholesky factors of the nodes' own blocks */
     double        *down, *up;       /* (coarse n), (n) */
     double        *r, *z, *v, *Hv;  /* (n) residual, preconditioned, direction, its image */
+    double        *part;            /* (2 x (n - parts[1])) what the halves add to the separator's rows */
 };
 
-struct two_level *two_level_make(const struct discretisation *coarse, struct factor *factor,
+struct two_level *two_level_make(const struct discretisation *coarse, const double *x_coarse, struct factor *factor,
                                  const struct discretisation *fine)
 {
     struct two_level *t = MEMORY_ARRAY(struct two_level, 1);
-    *t = (struct two_level){.coarse = coarse, .fine = fine, .factor = factor,
+    *t = (struct two_level){.coarse = coarse, .fine = fine, .x_coarse = x_coarse, .factor = factor,
                             .H = MEMORY_ARRAY(double, fine->pattern.start[fine->n]),
                             .blocks = MEMORY_ARRAY(double, (size_t)fine->n * (size_t)fine->block),
                             .down = MEMORY_ARRAY(double, coarse->n), .up = MEMORY_ARRAY(double, fine->n),
                             .r = MEMORY_ARRAY(double, fine->n), .z = MEMORY_ARRAY(double, fine->n),
-                            .v = MEMORY_ARRAY(double, fine->n), .Hv = MEMORY_ARRAY(double, fine->n)};
+                            .v = MEMORY_ARRAY(double, fine->n), .Hv = MEMORY_ARRAY(double, fine->n),
+                            .part = MEMORY_ARRAY(double, 2 * (fine->n - fine->parts[1]))};
     return t;
 }
 
@@ -34,24 +41,66 @@ void two_level_free(struct two_level *t)
 {
     if (!t)
         return;
-    free(t->H), free(t->blocks), free(t->down), free(t->up);
-    free(t->r), free(t->z), free(t->v), free(t->Hv);
+    free(t->H), free(t->H_coarse), free(t->mass), free(t->blocks), free(t->down), free(t->up);
+    free(t->r), free(t->z), free(t->v), free(t->Hv), free(t->part);
     free(t);
 }
 
-/* y = H v, from the lower triangle. */
-static void multiply(const struct pattern *p, const double *H, const double *v, double *y)
+/* Adds to y and, for rows from `last` on, to beyond what a node's columns of
+ * the lower triangle say of y = H v.  Rows come in whole nodes. */
+static void multiply_node(const struct pattern *p, int m, const double *H, const double *v, int node, int last,
+                          double *y, double *beyond)
 {
-    memset(y, 0, sizeof *y * (size_t)p->n);
-    for (int j = 0; j < p->n; j++) {
-        const int *row = p->row;
-        double own = H[p->start[j]] * v[j], vj = v[j];
-        for (int k = p->start[j] + 1; k < p->start[j + 1]; k++) {
-            y[row[k]] += H[k] * vj;
-            own += H[k] * v[row[k]];
+    for (int j = node * m; j < (node + 1) * m; j++) {
+        const double *h = H + p->start[j];
+        const int *row = p->row + p->start[j], *end = p->row + p->start[j + 1];
+        double vj = v[j], own = *h++ * vj;
+        for (row++; row < end && *row < (node + 1) * m; row++, h++) {
+            y[*row] += *h * vj;
+            own += *h * v[*row];
+        }
+        for (; row < end; row += m, h += m) {
+            double *to = *row < last ? y + *row : beyond + *row - last;
+            const double *from = v + *row;
+            for (int i = 0; i < m; i++) {
+                to[i] += h[i] * vj;
+                own += h[i] * from[i];
+            }
         }
         y[j] += own;
     }
+}
+
+/* Columns [first, end) of y = H v, whose rows from `last` on go to beyond. */
+static void multiply_part(const struct two_level *t, const double *v, int first, int end, int last, double *y,
+                          double *beyond)
+{
+    const struct pattern *p = &t->fine->pattern;
+    int m = t->fine->block;
+    if (m == 12)    /* known to the compiler */
+        for (int node = first / 12; node < end / 12; node++)
+            multiply_node(p, 12, t->H, v, node, last, y, beyond);
+    else
+        for (int node = first / m; node < end / m; node++)
+            multiply_node(p, m, t->H, v, node, last, y, beyond);
+}
+
+/* y = H v: the halves side by side, each with its own sums for the separator;
+ * then the separator.  The same sums for any number of threads. */
+static void multiply(const struct two_level *t, const double *v, double *y)
+{
+    int n = t->fine->n, middle = t->fine->parts[0], last = t->fine->parts[1];
+    int begin[2] = {0, middle}, end[2] = {middle, last};
+#pragma omp parallel for num_threads(2) if (t->fine->threads > 1)
+    for (int h = 0; h < 2; h++) {
+        double *beyond = t->part + (size_t)h * (size_t)(n - last);
+        memset(y + begin[h], 0, sizeof *y * (size_t)(end[h] - begin[h]));
+        memset(beyond, 0, sizeof *beyond * (size_t)(n - last));
+        multiply_part(t, v, begin[h], end[h], last, y, beyond);
+    }
+    for (int i = last; i < n; i++)
+        y[i] = t->part[i - last] + t->part[i - last + n - last];
+    multiply_part(t, v, last, n, n, y, NULL);
 }
 
 /* L (m x m, row by row) of the block of the node whose first unknown is given; false: not positive definite. */
@@ -99,9 +148,26 @@ bool two_level_update(struct two_level *t, const double *x, double growth, enum 
     return factor_blocks(t);
 }
 
+bool two_level_renew(struct two_level *t)
+{
+    const struct discretisation *coarse = t->coarse;
+    enum factor_result result = FACTOR_INDEFINITE;
+    if (!t->H_coarse) {
+        t->H_coarse = MEMORY_ARRAY(double, coarse->pattern.start[coarse->n]);
+        t->mass = MEMORY_ARRAY(double, coarse->n);
+        coarse->op->mass(coarse, t->mass);
+    }
+    for (double shift = 0; result == FACTOR_INDEFINITE && shift < LAST_SHIFT; shift = fmax(8 * shift, FIRST_SHIFT)) {
+        coarse->op->restrict_hessian(coarse, t->H_coarse, t->fine, t->H);
+        problem_regularise(coarse, t->x_coarse, t->mass, shift, t->H_coarse);
+        result = factor_numeric(t->factor, t->H_coarse);
+    }
+    return result == FACTOR_DONE;
+}
+
 void two_level_multiply(const struct two_level *t, const double *v, double *y)
 {
-    multiply(&t->fine->pattern, t->H, v, y);
+    multiply(t, v, y);
 }
 
 /* z = M^-1 r */
@@ -143,7 +209,7 @@ struct two_level_result two_level_solve(struct two_level *t, const double *g, do
         double keep = result.iterations++ ? rho / before : 0;
         for (int i = 0; i < n; i++)
             t->v[i] = -t->z[i] + keep * t->v[i];
-        multiply(&t->fine->pattern, t->H, t->v, t->Hv);
+        multiply(t, t->v, t->Hv);
         double curvature = dot(n, t->v, t->Hv);
         if (!(curvature > 0)) {
             result.end = rho > 0 ? TWO_LEVEL_NEGATIVE : TWO_LEVEL_DONE;

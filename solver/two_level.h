@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * Conjugate gradients on a level's Hessian, preconditioned by the sum of its
- * nodes' own blocks and the factor of the next coarser level,
- * M^-1 = D^-1 + P H_coarse^-1 P^T: no factor of the level itself. */
+ * nodes' own blocks and the factor of a coarser level's,
+ * M^-1 = D^-1 + P H_coarse^-1 P^T: no factor of the level itself.  H_coarse is
+ * P^T H P once two_level_renew was called (soft modes are told apart by little:
+ * with the coarse level's own Hessian at its own minimum the steps were up to
+ * five times as many). */
 #ifndef WEFT_TWO_LEVEL_H
 #define WEFT_TWO_LEVEL_H
 
@@ -10,14 +13,18 @@
 
 struct two_level;
 
-/* Levels nested and in blocks (restrict_gradient, block > 0); the coarse
- * factor stays the caller's, who may renew it between solves. */
-struct two_level *two_level_make(const struct discretisation *coarse, struct factor *factor,
+/* Levels nested and in blocks (restrict_gradient, block > 0).  The coarse state
+ * (coarse n; only tells how to pin a free sheet) and factor stay the caller's. */
+struct two_level *two_level_make(const struct discretisation *coarse, const double *x_coarse, struct factor *factor,
                                  const struct discretisation *fine);
 void two_level_free(struct two_level *t);
 
 /* Takes the fine Hessian at x (fine n).  false: a node's own block is not positive definite. */
 bool two_level_update(struct two_level *t, const double *x, double growth, enum hessian_kind kind);
+
+/* Factors P^T H P of the fine Hessian taken last, shifted where that is not
+ * positive definite.  false: it cannot be factored. */
+bool two_level_renew(struct two_level *t);
 
 enum two_level_end { TWO_LEVEL_DONE, TWO_LEVEL_NEGATIVE, TWO_LEVEL_CAP };
 

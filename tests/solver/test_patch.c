@@ -10,6 +10,7 @@
 
 #include "solver/memory.h"
 #include "solver/patch.h"
+#include "solver/two_level.h"
 #include "tests/solver/scenes.h"
 
 static const struct basis *const bases[] = {&basis_hermite, &basis_spline};
@@ -268,6 +269,47 @@ static void prolongation_keeps_the_surface(void **state)
 }
 
 /* One thread or two: the same bits. */
+/* P^T g and P^T H P against P itself, H v in two halves against H v, on a mesh with several bands. */
+static void restrictions_are_those_of_the_prolongation(void **state)
+{
+    (void)state;
+    struct sheet *s = scene_sheet(9, 37, miura);
+    struct discretisation *level[] = {patch_make(s, &basis_spline, 1, 3, 2), patch_make(s, &basis_hermite, 1, 4, 2),
+                                      patch_make(s, &basis_hermite, 2, 4, 2)};
+    for (int l = 1; l < 3; l++) {
+        const struct discretisation *coarse = level[l - 1], *fine = level[l];
+        double *x = large_state(fine, 0.1), *g = direction(fine), *v = direction(coarse);
+        double *Pv = MEMORY_ARRAY(double, fine->n), *HPv = MEMORY_ARRAY(double, fine->n);
+        double *Pg = MEMORY_ARRAY(double, coarse->n), *Hv = MEMORY_ARRAY(double, coarse->n), *y = MEMORY_ARRAY(double, fine->n);
+        double *H = MEMORY_ARRAY(double, fine->pattern.start[fine->n]);
+        double *Hc = MEMORY_ARRAY(double, coarse->pattern.start[coarse->n]);
+        coarse->op->prolong(coarse, v, fine, Pv);
+        coarse->op->restrict_gradient(coarse, Pg, fine, g);
+        assert_float_equal(dot(coarse->n, Pg, v), dot(fine->n, g, Pv), 1e-10);
+
+        fine->op->hessian(fine, x, 1, HESSIAN_EXACT, H);
+        coarse->op->restrict_hessian(coarse, Hc, fine, H);
+        multiply(&fine->pattern, H, Pv, HPv);
+        multiply(&coarse->pattern, Hc, v, Hv);
+        coarse->op->restrict_gradient(coarse, Pg, fine, HPv);
+        double size = sqrt(dot(coarse->n, Hv, Hv));
+        for (int i = 0; i < coarse->n; i++)
+            assert_float_equal(Hv[i], Pg[i], 1e-12 * size);
+
+        struct two_level *t = two_level_make(coarse, NULL, NULL, fine);
+        two_level_update(t, x, 1, HESSIAN_EXACT);
+        two_level_multiply(t, Pv, y);
+        size = sqrt(dot(fine->n, HPv, HPv));
+        for (int i = 0; i < fine->n; i++)
+            assert_float_equal(y[i], HPv[i], 1e-12 * size);
+        two_level_free(t);
+        free(x), free(g), free(v), free(Pv), free(HPv), free(Pg), free(Hv), free(y), free(H), free(Hc);
+    }
+    for (int l = 0; l < 3; l++)
+        level[l]->op->free(level[l]);
+    sheet_free(s);
+}
+
 static void threads_change_nothing(void **state)
 {
     (void)state;
@@ -296,6 +338,7 @@ int main(void)
         cmocka_unit_test(rigid_motion_costs_nothing),
         cmocka_unit_test(springs_in_closed_form),
         cmocka_unit_test(prolongation_keeps_the_surface),
+        cmocka_unit_test(restrictions_are_those_of_the_prolongation),
         cmocka_unit_test(threads_change_nothing),
     };
     return cmocka_run_group_tests_name("patch", tests, NULL, NULL);
