@@ -30,14 +30,37 @@ static enum outcome approach(struct problem *p, double gradient, int newton, dou
 }
 
 /* Newton's few factors pay where it converges at once; where it does not, libLBFGS goes on first. */
-static enum outcome settle_auto(struct problem *p, double *x)
+static enum outcome settle_fast(struct problem *p, double *x)
 {
-    if (p->two_level)
-        return newton_minimise(p, x);
     enum outcome outcome = approach(p, HANDOVER, NEWTON_TRIES, x);
     if (outcome != OUTCOME_LIMIT || p->effort->iterations >= p->limit)
         return outcome;
     return approach(p, CLOSER, p->limit, x);
+}
+
+static bool doubted(const struct problem *p, const double *x)
+{
+    return p->d->op->doubt && p->d->op->doubt(p->d, x);
+}
+
+/* Downhill may lead into a state that makes no sense (op->doubt) and is not left again.  Newton's method alone goes
+ * another way from the same start; where that ends at no sense or no rest either, the first end stays. */
+static enum outcome settle_auto(struct problem *p, double *x)
+{
+    if (p->two_level)
+        return newton_minimise(p, x);
+    size_t size = sizeof *x * (size_t)p->d->n;
+    double *other = memcpy(MEMORY_ARRAY(double, p->d->n), x, size);
+    enum outcome outcome = settle_fast(p, x);
+    if (outcome != OUTCOME_STOPPED && outcome != OUTCOME_LIMIT && doubted(p, x) && !doubted(p, other)) {
+        enum outcome second = newton_minimise(p, other);
+        bool better = second != OUTCOME_STALLED && second != OUTCOME_FAILED && !doubted(p, other);
+        outcome = better ? second : outcome;
+        memcpy(better ? x : other, better ? other : x, size);
+        problem_evaluate(p, x);
+    }
+    free(other);
+    return outcome;
 }
 
 enum outcome descent_settle(struct problem *p, enum method method, double *x)

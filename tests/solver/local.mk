@@ -8,6 +8,11 @@ tests_solver_test_patch_SOURCES = tests/solver/test_patch.c
 tests_solver_test_patch_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_solver_test_patch_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 
+check_PROGRAMS += tests/solver/test_descent
+tests_solver_test_descent_SOURCES = tests/solver/test_descent.c
+tests_solver_test_descent_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_solver_test_descent_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
 check_PROGRAMS += tests/solver/test_fold
 tests_solver_test_fold_SOURCES = tests/solver/test_fold.c
 tests_solver_test_fold_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
