@@ -26,6 +26,13 @@ const struct command command_table[] = {
      "runs of a stitch and repeats folded, equal rows named together. Rows go back\n"
      "and forth; with --round they are rounds. The text is a script: it can be\n"
      "compiled again and gives the same fabric. -o writes it to a file.\n"},
+    {"fmt", "FILE...", 1, ANY_NUMBER, command_fmt, "lay scripts out evenly",
+     "Rewrites each FILE in the canonical layout: the same fabric and settings, with\n"
+     "its comments, evenly spelled, indented and aligned. Formatting again changes\n"
+     "nothing. A file that is formatted is not touched; one with an error is left\n"
+     "alone. With - the script is read from standard input and printed. With --check\n"
+     "nothing is written: files that would change are named, and the exit status is\n"
+     "then 1.\n"},
     {"import", "PATH", 1, 1, command_import, "make a script of a chart from elsewhere",
      "Reads the chart in PATH and prints a script with the same stitches; -o writes\n"
      "it to a file. What PATH is follows from its extension:\n"

@@ -22,6 +22,7 @@ enum status command_run(const struct options *options);
 enum status command_check(const struct options *options);
 enum status command_chart(const struct options *options);
 enum status command_write(const struct options *options);
+enum status command_fmt(const struct options *options);
 enum status command_import(const struct options *options);
 enum status command_params(const struct options *options);
 enum status command_list(const struct options *options);

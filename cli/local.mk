@@ -5,6 +5,7 @@ libcli_a_SOURCES = \
     cli/check.c \
     cli/command.c cli/command.h \
     cli/deliver.c cli/deliver.h \
+    cli/fmt.c \
     cli/help.c \
     cli/import.c \
     cli/interrupt.c cli/interrupt.h \

@@ -124,7 +124,7 @@ static bool take_word(struct options *o, const struct option *option, const char
 /* ---- the table ---- */
 
 #define SCRIPT "run check chart write params"
-#define READER SCRIPT " import"
+#define READER SCRIPT " fmt import"
 
 const struct option option_table[] = {
     {"-o", NULL, "[KIND:]PATH", "run chart write import", take_output, NULL, 0, "a file to write (may be repeated)"},
@@ -142,6 +142,7 @@ const struct option option_table[] = {
     {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},
     {NULL, "--key", "COLOURS", "import", take_text, NULL, offsetof(struct options, key), "what they mean: '#000000=k,#ffffff=p'"},
     {NULL, "--round", NULL, "write", take_flag, NULL, offsetof(struct options, round), "worked in the round"},
+    {NULL, "--check", NULL, "fmt", take_flag, NULL, offsetof(struct options, check), "change nothing, name the files not formatted"},
     {NULL, "--json", NULL, "params version", take_flag, NULL, offsetof(struct options, json), "as JSON"},
     {"-W", NULL, "error", SCRIPT, take_word, "error", offsetof(struct options, warnings), "treat warnings as errors"},
     {"-q", "--quiet", NULL, READER, take_flag, NULL, offsetof(struct options, quiet), "print errors alone"},

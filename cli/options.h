@@ -34,7 +34,7 @@ struct options {
 
     int         threads;                /* 0 = all processors */
     int         seeds;                  /* to fold from; 0 or 1: the scene's own */
-    bool        quiet, verbose, dry_run, grid, round, json;
+    bool        quiet, verbose, dry_run, grid, round, json, check;
     bool        help, version;
     const char *key;                    /* of a picture's colours, or NULL */
     const char *color;                  /* "auto", "always", "never" */

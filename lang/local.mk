@@ -7,6 +7,8 @@ liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/code
     lang/eval.h lang/eval.c lang/module.c lang/stitches.c lang/motif.c lang/builtin.c lang/body.c \
     lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/rows.h lang/rows.c \
     lang/row_fit.h lang/row_fit.c lang/keys.h lang/keys.c lang/settings.h lang/settings.c lang/outputs.h lang/outputs.c \
+    lang/chart_lines.h lang/chart_lines.c lang/format.h lang/format.c lang/layout.h lang/layout.c \
+    lang/row_words.h lang/row_words.c lang/spelling.h lang/spelling.c lang/tokens.h lang/tokens.c \
     lang/params.h lang/params.c lang/compile.c lang/library.h lang/library.c \
     lang/parser.c lang/parser.h lang/lexer.c
 EXTRA_DIST += lang/parser.y lang/lexer.l
@@ -18,4 +20,5 @@ lang/parser.c: lang/parser.y
 lang/parser.h: lang/parser.c ;
 lang/lexer.c: lang/lexer.l
 	$(AM_V_GEN)$(MKDIR_P) lang && $(FLEX) -o $@ $(srcdir)/lang/lexer.l
-lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/syntax.$(OBJEXT) lang/parse.$(OBJEXT): lang/parser.h
+lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/syntax.$(OBJEXT) lang/parse.$(OBJEXT) \
+    lang/format.$(OBJEXT) lang/row_words.$(OBJEXT) lang/spelling.$(OBJEXT) lang/tokens.$(OBJEXT): lang/parser.h

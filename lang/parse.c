@@ -110,15 +110,17 @@ static bool is_script(struct diag *diag, const struct source *source, const char
     return !is_other_format(diag, source, first) && !is_stitch_grid(diag, source, first);
 }
 
+unsigned source_start(const struct source *source)
+{
+    return source->size >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+}
+
 struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names,
                         const struct source *source)
 {
     struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
-    struct scanner scanner = {.parse = &parse, .start = TOKEN_START_FILE};
+    struct scanner scanner = {.parse = &parse, .at = source_start(source), .start = TOKEN_START_FILE};
 
-    /* A byte order mark says nothing to us. */
-    if (source->size >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0)
-        scanner.at = 3;
     if (!is_script(diag, source, source->text + scanner.at))
         return NULL;
     parse.scanner = &scanner;

@@ -24,6 +24,9 @@ struct stmt *parse_file(struct arena *, struct diag *, struct names *, const str
 /* The expression at byte `start` of a text and to its end; never NULL. */
 struct expr *parse_expression(struct arena *, struct diag *, struct names *, const struct source *, unsigned start);
 
+/* Its first byte behind a byte order mark, which says nothing to us. */
+unsigned source_start(const struct source *);
+
 /* Words a statement can begin with, for "did you mean". */
 extern const char *const statement_word[];
 extern const int nstatement_words;

@@ -42,6 +42,9 @@ struct scanner {
 /* Runs flex and bison over the text from byte `at` on (lexer.l). */
 struct stmt *scanner_parse(struct scanner *);
 
+/* Runs flex alone: each token up to TOKEN_END goes to `take`. */
+void scanner_tokens(struct scanner *, void (*take)(void *context, int kind, struct span), void *context);
+
 void scanner_advance(struct scanner *, struct span *, size_t length);
 void scanner_retreat(struct scanner *, struct span *, size_t length);
 

@@ -184,6 +184,8 @@ static bool file_open(struct file *file)
     if (!file->target)
         return false;
     file->fd = open_beside(file);
+    if (exists && file->fd >= 0 && fchmod(file->fd, status.st_mode & 0777) != 0)
+        return false;
     return file->fd >= 0;
 }
 

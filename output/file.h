@@ -27,8 +27,8 @@ struct file_log {
 struct file;
 
 /* Begins a file.  NULL, with log->error set, if the folder is missing or not
- * writable, or path is a folder.  A symbolic link is followed; a device or a
- * pipe is written to directly. */
+ * writable, or path is a folder.  A symbolic link is followed; a file that is
+ * replaced passes its rights on; a device or a pipe is written to directly. */
 struct file *file_create(struct file_log *log, const char *path);
 
 /* Standard output as a file: file_commit flushes it, nothing is logged but

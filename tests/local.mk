@@ -1,3 +1,4 @@
+include tests/format/local.mk
 include tests/golden/local.mk
 include tests/solver/local.mk
 include tests/output/local.mk

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A script in its canonical layout: the same statements, comments and blank
+ * lines, evenly written.  Formatting again changes nothing. */
+#ifndef WEFT_FORMAT_H
+#define WEFT_FORMAT_H
+
+#include "lang/diag.h"
+
+/* The text, NUL-terminated, in the arena; NULL where the script cannot be parsed,
+ * with the errors in diag. */
+char *format_script(struct arena *, struct diag *, const struct source *, size_t *length);
+
+#endif

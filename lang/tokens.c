@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A text in, its tokens and comments out.  The scanner says where tokens are;
+ * whatever lies between two of them is blanks, line ends, comments and the
+ * words a row may do without. */
+#include "lang/tokens.h"
+
+#include <string.h>
+
+#include "lang/scanner.h"
+
+struct reader {
+    struct arena        *arena;
+    const struct source *source;
+    struct tokens        list;
+    int                  room;
+    unsigned             end;       /* of the token before */
+    bool                 first;     /* the next one begins a statement */
+};
+
+static void add(struct reader *reader, struct token token)
+{
+    struct tokens *list = &reader->list;
+
+    if (list->n == reader->room) {
+        struct token *larger;
+
+        reader->room = reader->room ? 2 * reader->room : 256;
+        larger = arena_array(reader->arena, struct token, (size_t)reader->room);
+        if (list->n)
+            memcpy(larger, list->at, (size_t)list->n * sizeof *larger);
+        list->at = larger;
+    }
+    list->at[list->n++] = token;
+}
+
+/* A comment reaches from # to the end of its line; blanks there are no part of it. */
+static unsigned comment_end(const char *text, unsigned start, unsigned end)
+{
+    unsigned at = start;
+
+    while (at < end && text[at] != '\n' && text[at] != '\r')
+        at++;
+    while (at > start && strchr(" \t\f\v", text[at - 1]))
+        at--;
+    return at;
+}
+
+/* Adds the comments before `end`; returns the line ends behind the last of them. */
+static int add_gap(struct reader *reader, unsigned end)
+{
+    const char *text = reader->source->text;
+    int breaks = 0;
+
+    for (unsigned at = reader->end; at < end; at++) {
+        if (text[at] == '#') {
+            struct span span = {reader->source, at, comment_end(text, at, end)};
+
+            add(reader, (struct token){.kind = TOKEN_COMMENT, .breaks = breaks, .span = span});
+            at = span.end - 1;
+            breaks = 0;
+        } else if (text[at] == '\n' || (text[at] == '\r' && text[at + 1] != '\n')) {
+            breaks++;
+        }
+    }
+    return breaks;
+}
+
+/* A line's end is no token here: the one behind it says that it begins something. */
+static void take(void *context, int kind, struct span span)
+{
+    struct reader *reader = context;
+    int breaks;
+
+    if (kind == TOKEN_NEWLINE) {
+        reader->first = true;
+        return;
+    }
+    breaks = add_gap(reader, span.start);
+    add(reader, (struct token){.kind = kind, .first = reader->first, .breaks = breaks, .span = span});
+    reader->first = false;
+    reader->end = span.end;
+}
+
+struct tokens tokens_read(struct arena *arena, struct names *names, const struct source *source)
+{
+    struct diag diag;
+    struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source};
+    struct scanner scanner = {.parse = &parse, .at = source_start(source), .start = TOKEN_START_FILE};
+    struct reader reader = {.arena = arena, .source = source, .end = scanner.at, .first = true};
+
+    diag_init(&diag, arena);
+    parse.scanner = &scanner;
+    scanner_tokens(&scanner, take, &reader);
+    return reader.list;
+}
+
+int tokens_find(const struct tokens *tokens, unsigned start)
+{
+    int low = 0, high = tokens->n;
+
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+
+        if (tokens->at[middle].span.start < start)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
