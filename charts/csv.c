@@ -87,7 +87,7 @@ struct pattern csv_read(struct arena *arena, struct diag *diag, const struct sou
         separator = separator ? separator : find_separator(line);
         going_on = read_row(&raster, line, separator);
     }
-    return (struct pattern){raster_grid(&raster, source, RASTER_TOP_FIRST), 1, 1};
+    return (struct pattern){.grid = raster_grid(&raster, source, RASTER_TOP_FIRST), .across = 1, .up = 1};
 }
 
 /* ---- writing ---- */

@@ -93,7 +93,9 @@ void import_script(struct text *text, const struct pattern *p, const char *path,
     const char *name = motif_name(text->arena, path);
     text_print(text, "# %s, from %s: %d stitches x %d rows\n", what, one_line(text->arena, path), p->grid->columns,
                p->grid->rows);
+    if (p->remark)
+        text_print(text, "# %s\n", p->remark);
     text_print(text, "motif %s multiple of %d {\n", name, p->grid->columns);
     write_body(text, p);
-    text_print(text, "}\nswatch tile(%s, %d, %d)\n", name, p->across, p->up);
+    text_print(text, p->across > 1 || p->up > 1 ? "}\nswatch tile(%s, %d, %d)\n" : "}\nswatch %s\n", name, p->across, p->up);
 }

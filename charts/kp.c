@@ -96,7 +96,7 @@ static bool read_row(struct raster *raster, struct span line)
 
 struct pattern kp_read(struct arena *arena, struct diag *diag, const struct source *source)
 {
-    struct pattern pattern = {NULL, 1, 1};
+    struct pattern pattern = {.across = 1, .up = 1};
     struct raster raster = {.arena = arena, .diag = diag};
     struct lines lines = lines_of(source);
     struct span line, header = {0};

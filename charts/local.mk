@@ -1,8 +1,10 @@
 # Patterns as knitters exchange them: charts and written rows, in and out.
 noinst_LIBRARIES += libcharts.a
 libcharts_a_SOURCES = \
+    charts/beds.c charts/beds.h \
     charts/csv.c charts/csv.h \
     charts/import.c charts/import.h \
+    charts/knitout.c charts/knitout.h charts/knitout_write.c \
     charts/kp.c charts/kp.h \
     charts/lines.c charts/lines.h \
     charts/pattern.h \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * The pixels of a PNG file in, the pattern they show out. */
+ * The pixels of a PNG file in, the pattern they show out; and the other way round. */
 #include "charts/picture.h"
 
 #include <png.h>
@@ -10,8 +10,8 @@
 
 enum { BLACK = 0x000000, WHITE = 0xFFFFFF, SIGNATURE = 8, KEYS = 256 };
 
-static const struct colour black_and_white[] = {{BLACK, STITCH_K}, {WHITE, STITCH_P}};
-const struct colour_key picture_black_and_white = {2, black_and_white};
+static const struct colour ink_and_paper[] = {{BLACK, STITCH_K}, {WHITE, STITCH_P}};
+static const struct colour_key black_and_white = {2, ink_and_paper};
 
 /* ---- the key ---- */
 
@@ -85,17 +85,23 @@ bool picture_is_png(const struct source *source)
     return source->size >= SIGNATURE && memcmp(source->text, "\x89PNG\r\n\x1A\n", SIGNATURE) == 0;
 }
 
-/* A picture has no lines to point at. */
-static const struct span nowhere = {0};
+/* The picture's name stands for it where there is no pixel to point at. */
+static struct span whole(struct arena *arena, const struct source *source)
+{
+    struct source *picture = arena_new(arena, struct source);
+    *picture = (struct source){.name = source->name, .text = ""};
+    return (struct span){picture, 0, 0};
+}
 
 static bool check_size(struct diag *diag, const struct source *source, const png_image *image)
 {
+    struct span span = whole(diag->arena, source);
     if (image->height > LIMIT_ROWS)
-        diag_error(diag, CODE_LIMIT_ROWS, nowhere, "%s: the picture is %u pixels high; a fabric may have %d rows",
-                   source->name, image->height, LIMIT_ROWS);
+        diag_error(diag, CODE_LIMIT_ROWS, span, "the picture is %u pixels high; a fabric may have %d rows", image->height,
+                   LIMIT_ROWS);
     else if (image->width > LIMIT_STITCHES / image->height)
-        diag_error(diag, CODE_LIMIT_STITCHES, nowhere, "%s: the picture is %u x %u pixels; a fabric may have %d stitches",
-                   source->name, image->width, image->height, LIMIT_STITCHES);
+        diag_error(diag, CODE_LIMIT_STITCHES, span, "the picture is %u x %u pixels; a fabric may have %d stitches",
+                   image->width, image->height, LIMIT_STITCHES);
     return !diag->nerrors;
 }
 
@@ -112,22 +118,49 @@ static const unsigned char *read_pixels(struct arena *arena, struct diag *diag, 
         }
     }
     if (!pixel && !diag->nerrors)
-        diag_error(diag, CODE_PICTURE, nowhere, "%s: this picture cannot be read: %s", source->name, image->message);
+        diag_error(diag, CODE_PICTURE, whole(arena, source), "this picture cannot be read: %s", image->message);
     png_image_free(image);
     return pixel;
 }
 
-/* The first pixel the key does not know, and how many more there are. */
-static void unknown_colour(struct diag *diag, const struct source *source, const unsigned char *p, size_t at,
-                           unsigned width, long long more)
+/* ---- its stitches ---- */
+
+enum { UNKNOWN = STITCH_MAX };
+
+static stitch_id stitch_at(const struct colour_key *key, const unsigned char *p)
 {
-    unsigned x = (unsigned)(at % width), y = (unsigned)(at / width), colour = p[0] * 0x10000u + p[1] * 0x100u + p[2];
+    int stitch = p[3] < 255 ? -1 : stitch_of(key, p[0] * 0x10000u + p[1] * 0x100u + p[2]);
+    return (stitch_id)(stitch < 0 ? UNKNOWN : stitch);
+}
+
+/* A pixel as a place in the picture's chart, a line of letters for each of its
+ * rows: so a message has a line and a column, and shows what is around. */
+static struct span pixel_span(struct arena *arena, const char *name, const struct grid *picture, size_t at)
+{
+    size_t columns = (size_t)picture->columns, row = at / columns, first = row * columns;
+    char *text = arena_array(arena, char, row + columns + 1);
+    memset(text, '\n', row);
+    for (size_t i = 0; i < columns; i++) {
+        stitch_id stitch = picture->cell[first + i];
+        text[row + i] = stitch == STITCH_K ? 'k' : stitch == STITCH_P ? 'p' : '?';
+    }
+    struct source *source = arena_new(arena, struct source);
+    *source = (struct source){.name = name, .text = text, .size = row + columns};
+    unsigned start = (unsigned)(row + at % columns);
+    return (struct span){source, start, start + 1};
+}
+
+/* The first pixel the key does not know, and how many more there are. */
+static void unknown_colour(struct diag *diag, struct span span, const unsigned char *p, size_t at, size_t columns,
+                           long long more)
+{
+    size_t x = at % columns, y = at / columns;
     if (p[3] < 255)
-        diag_error(diag, CODE_COLOUR, nowhere, "%s: the pixel at x = %u, y = %u is transparent", source->name, x, y);
+        diag_error(diag, CODE_COLOUR, span, "the pixel at x = %zu, y = %zu is transparent", x, y);
     else
-        diag_error(diag, CODE_COLOUR, nowhere, "%s: the pixel at x = %u, y = %u is #%06x, which the key does not have",
-                   source->name, x, y, colour);
-    diag_note(diag, nowhere, "x counts from 0 at the left, y from 0 at the top%s",
+        diag_error(diag, CODE_COLOUR, span, "the pixel at x = %zu, y = %zu is #%06x, which the key does not have", x, y,
+                   p[0] * 0x10000u + p[1] * 0x100u + p[2]);
+    diag_note(diag, (struct span){0}, "x counts from 0 at the left, y from 0 at the top%s",
               more ? arena_printf(diag->arena, "; %lld more pixels are not in the key", more) : "");
     diag_hint(diag, "`--key '#000000=k,#ffffff=p'` says what the colours mean");
 }
@@ -135,26 +168,43 @@ static void unknown_colour(struct diag *diag, const struct source *source, const
 struct pattern picture_read(struct arena *arena, struct diag *diag, const struct source *source,
                             const struct colour_key *key)
 {
-    struct pattern pattern = {NULL, 1, 1};
+    struct pattern pattern = {.across = 1, .up = 1};
     png_image image = {.version = PNG_IMAGE_VERSION};
     const unsigned char *pixel = read_pixels(arena, diag, source, &image);
     if (!pixel)
         return pattern;
 
     stitch_id *cell;
-    const struct grid *grid = grid_new(arena, (int)image.width, (int)image.height, &cell);
+    const struct grid *picture = grid_new(arena, (int)image.width, (int)image.height, &cell);
     size_t n = (size_t)image.width * image.height, first = n;
-    long long unknown = 0;
     for (size_t i = 0; i < n; i++) {
-        const unsigned char *p = pixel + 4 * i;
-        int stitch = p[3] < 255 ? -1 : stitch_of(key, p[0] * 0x10000u + p[1] * 0x100u + p[2]);
-        first = stitch < 0 && first == n ? i : first;
-        unknown += stitch < 0;
-        cell[i] = (stitch_id)(stitch < 0 ? STITCH_K : stitch);
+        cell[i] = stitch_at(key ? key : &black_and_white, pixel + 4 * i);
+        first = cell[i] == UNKNOWN && first == n ? i : first;
     }
-    if (unknown)
-        unknown_colour(diag, source, pixel + 4 * first, first, image.width, unknown - 1);
+    if (first < n)
+        unknown_colour(diag, pixel_span(arena, source->name, picture, first), pixel + 4 * first, first, image.width,
+                       grid_count(picture, UNKNOWN) - 1);
     else
-        pattern.grid = grid_flip(arena, grid);
+        pattern.grid = grid_flip(arena, picture);
+    pattern.remark = key ? NULL : "black is taken as knit, white as purl";
     return pattern;
+}
+
+/* ---- writing ---- */
+
+void picture_write(struct text *text, const struct grid *g)
+{
+    static const unsigned char map[] = {0, 255};
+    png_image image = {.version = PNG_IMAGE_VERSION,
+                       .width = (unsigned)g->columns,
+                       .height = (unsigned)g->rows,
+                       .format = PNG_FORMAT_GRAY | PNG_FORMAT_FLAG_COLORMAP,
+                       .colormap_entries = 2};
+
+    /* The table of colours is black and white, a stitch its own index; a negative stride starts at the top row. */
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+    unsigned char *png = arena_array(text->arena, unsigned char, size);
+    if (png_image_write_to_memory(&image, png, &size, 0, g->cell, -g->columns, map))
+        text_bytes(text, (const char *)png, size);
+    png_image_free(&image);
 }

@@ -20,19 +20,28 @@ static bool print_chart(struct file_log *log, const struct scene *scene, bool gr
     return file && file_commit(file);
 }
 
-/* PATH or chart:PATH, to the path. */
-static const char *chart_path(const char *wish)
+/* PATH, chart:PATH or pixels:PATH. */
+static struct chart_file chart_file(const char *wish)
 {
-    const char *prefix = "chart:";
-    return strncmp(wish, prefix, strlen(prefix)) == 0 ? wish + strlen(prefix) : wish;
+    static const enum output_kind kinds[] = {OUTPUT_CHART, OUTPUT_PIXELS};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        const char *name = output_kind_name(kinds[i]);
+        size_t n = strlen(name);
+        if (strncmp(wish, name, n) == 0 && wish[n] == ':')
+            return (struct chart_file){kinds[i], wish + n + 1};
+    }
+    return (struct chart_file){OUTPUT_CHART, wish};
 }
 
 static enum status write_charts(const struct options *options, const struct scene *scene)
 {
     struct file_log log = {0};
+    for (int i = 0; i < options->noutputs; i++)
+        if (outputs_check_chart(chart_file(options->output[i]), scene) != STATUS_DONE)
+            return STATUS_SCRIPT;
     bool done = options->noutputs > 0 || print_chart(&log, scene, options->grid);
     for (int i = 0; i < options->noutputs && done; i++)
-        done = outputs_write_chart(&log, chart_path(options->output[i]), scene);
+        done = outputs_write_chart(&log, chart_file(options->output[i]), scene);
     if (log.error)
         fprintf(stderr, "weft: %s\n", log.error);
     file_log_free(&log);
@@ -42,8 +51,9 @@ static enum status write_charts(const struct options *options, const struct scen
 enum status command_chart(const struct options *options)
 {
     for (int i = 0; i < options->noutputs; i++)
-        if (!outputs_has_chart(chart_path(options->output[i])))
-            return options_wrong(options, "a chart is written as .txt or .csv, not as '%s'", options->output[i]);
+        if (!outputs_has_chart(chart_file(options->output[i])))
+            return options_wrong(options, "a chart is written as .txt, .csv, .k or pixels:x.png, not as '%s'",
+                                 options->output[i]);
 
     /* The outputs of a chart are its own, not the script's. */
     struct options only_script = *options;

@@ -19,8 +19,11 @@ const struct command command_table[] = {
      "Prints the right side of the fabric, top row first, with the row numbers at the\n"
      "right of right-side rows and at the left of wrong-side rows. With --grid: for\n"
      "programs, after a header \"# 1 1\" a line of stitch names for each row, the\n"
-     "bottom row first; -o x.txt writes this form to a file. -o x.csv writes a table\n"
-     "for spreadsheets: a cell with k or p for each stitch, the top row first.\n"},
+     "bottom row first; -o x.txt writes this form to a file. -o writes other forms, too:\n"
+     "  x.csv         a table for spreadsheets: a cell with k or p for each stitch, the\n"
+     "                top row first\n"
+     "  x.k           knitout 2, for a knitting machine with two beds\n"
+     "  pixels:x.png  a pixel for each stitch, knit black and purl white\n"},
     {"write", "FILE", 1, 1, command_write, "print written instructions",
      "Prints the swatch of FILE as written rows, from the cast-on to the last row:\n"
      "runs of a stitch and repeats folded, equal rows named together. Rows go back\n"
@@ -41,6 +44,8 @@ const struct command command_table[] = {
      "            tabs between them\n"
      "  .png      a pixel for each stitch, the top row first; black is knit, white is\n"
      "            purl, unless --key says what the colours mean\n"
+     "  .k        knitout: plain knit and purl with one yarn; a stitch of the front bed\n"
+     "            is knit, one of the back bed purl\n"
      "  others    a line of the letters K and P for each row, the bottom row first,\n"
      "            blanks between them or not. Above them may stand \"# 4 2\": repeat\n"
      "            this four times up and two times across.\n"},

@@ -8,6 +8,7 @@
 
 #include "charts/csv.h"
 #include "charts/import.h"
+#include "charts/knitout.h"
 #include "charts/kp.h"
 #include "charts/picture.h"
 #include "cli/command.h"
@@ -19,37 +20,46 @@
 struct import {
     const struct options    *options;
     const struct source     *source;
-    const struct colour_key *key;       /* of a picture; NULL: black and white */
+    const struct colour_key *key;       /* of a picture; or NULL */
     struct arena            *arena;
     struct diag              diag;
 };
 
 typedef struct pattern read_chart(struct import *import);
-static read_chart read_csv, read_png, read_kp;
+static read_chart read_csv, read_png, read_kp, read_knitout;
 
+/* What a chart is follows from its first bytes, else from its extension. */
 static const struct format {
     const char *extension;      /* NULL: any */
+    bool      (*is)(const struct source *source);
     const char *what;           /* as the script's first line names it */
     read_chart *read;
 } formats[] = {
-    {".png", "A picture", read_png},
-    {".csv", "A table of k and p", read_csv},
-    {NULL, "A grid of K and P", read_kp},
+    {".png", picture_is_png, "A picture", read_png},
+    {".k", knitout_is, "Knitout", read_knitout},
+    {".knitout", knitout_is, "Knitout", read_knitout},
+    {".csv", NULL, "A table of k and p", read_csv},
+    {NULL, NULL, "A grid of K and P", read_kp},
 };
 
-/* By the extension; a picture also by its first bytes. */
 static const struct format *find_format(const struct source *source)
 {
-    const struct format *format = formats;
+    const struct format *format;
     size_t n = strlen(source->name);
-    if (picture_is_png(source))
-        return format;
-    for (; format->extension; format++) {
+    for (format = formats; format->extension; format++)
+        if (format->is && format->is(source))
+            return format;
+    for (format = formats; format->extension; format++) {
         size_t m = strlen(format->extension);
         if (n >= m && strcasecmp(source->name + n - m, format->extension) == 0)
             break;
     }
     return format;
+}
+
+static struct pattern read_knitout(struct import *import)
+{
+    return knitout_read(import->arena, &import->diag, import->source);
 }
 
 static struct pattern read_kp(struct import *import)
@@ -64,11 +74,7 @@ static struct pattern read_csv(struct import *import)
 
 static struct pattern read_png(struct import *import)
 {
-    const struct colour_key *key = import->key ? import->key : &picture_black_and_white;
-    struct pattern pattern = picture_read(import->arena, &import->diag, import->source, key);
-    if (pattern.grid && !import->key && !import->options->quiet)
-        fprintf(stderr, "weft: %s: black is taken as knit, white as purl\n", import->source->name);
-    return pattern;
+    return picture_read(import->arena, &import->diag, import->source, import->key);
 }
 
 /* ---- the command ---- */
@@ -90,10 +96,12 @@ static enum status import_source(struct import *import)
     if (import->key && format->read != read_png)
         return options_wrong(options, "--key is for pictures; '%s' is none", import->source->name);
     struct pattern pattern = read_pattern(import, format);
-    diag_print(&import->diag, stderr, strcmp(options->diagnostics, "json") == 0 ? DIAG_JSON : DIAG_HUMAN,
-               options_colored(options));
+    bool json = strcmp(options->diagnostics, "json") == 0;
+    diag_print(&import->diag, stderr, json ? DIAG_JSON : DIAG_HUMAN, options_colored(options));
     if (import->diag.nerrors)
         return STATUS_SCRIPT;
+    if (pattern.remark && !options->quiet && !json)
+        fprintf(stderr, "weft: %s: %s\n", import->source->name, pattern.remark);
     import_script(&text, &pattern, import->source->name, format->what);
     const struct grid *whole = grid_tile(import->arena, pattern.grid, pattern.across, pattern.up);
     return deliver_script(options, &text, import->source->name, whole);

@@ -11,7 +11,10 @@
 #include <strings.h>
 
 #include "charts/csv.h"
+#include "charts/knitout.h"
+#include "charts/picture.h"
 #include "cli/progress.h"
+#include "cli/script.h"
 #include "output/chart.h"
 #include "output/obj.h"
 #include "output/ply.h"
@@ -45,6 +48,8 @@ static const struct writer {
     {OUTPUT_REPORT, NULL,   DUE_REPORT, write_report},
     {OUTPUT_CHART,  ".txt", DUE_CHART,  write_chart},
     {OUTPUT_CHART,  ".csv", DUE_CHART,  write_chart},
+    {OUTPUT_CHART,  ".k",   DUE_CHART,  write_chart},
+    {OUTPUT_PIXELS, NULL,   DUE_CHART,  write_chart},
     {OUTPUT_PVD,    NULL,   DUE_STEP,   write_step},
     {OUTPUT_VTP,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_OBJ,    NULL,   DUE_FINAL,  write_mesh},
@@ -68,9 +73,15 @@ static const struct writer *find_writer(enum output_kind kind, const char *path)
     return NULL;
 }
 
-bool outputs_has_chart(const char *path)
+bool outputs_has_chart(struct chart_file chart)
 {
-    return find_writer(OUTPUT_CHART, path);
+    return find_writer(chart.kind, chart.path);
+}
+
+enum status outputs_check_chart(struct chart_file chart, const struct scene *scene)
+{
+    bool plain = chart.kind == OUTPUT_PIXELS || (chart.kind == OUTPUT_CHART && has_extension(chart.path, ".k"));
+    return plain ? script_knit_and_purl(scene) : STATUS_DONE;
 }
 
 /* ---- before any work ---- */
@@ -122,6 +133,8 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
         const struct output *output = &scene->output[i];
         enum status status = check_kind(scene, output);
         if (status == STATUS_DONE)
+            status = outputs_check_chart((struct chart_file){output->kind, output->path}, scene);
+        if (status == STATUS_DONE)
             status = check_path(outputs, output);
         if (status != STATUS_DONE)
             return status;
@@ -146,22 +159,34 @@ void outputs_end(struct outputs *outputs)
 
 /* ---- writing ---- */
 
-static void write_table(struct file *file, const struct scene *scene)
+static void write_knitout(struct text *text, const struct scene *scene)
 {
-    struct arena arena = {0};
-    struct text text = {.arena = &arena};
-    csv_write(&text, scene);
-    file_write(file, text.bytes, text.length);
-    arena_free(&arena);
+    knitout_write(text, scene->grid);
 }
 
-bool outputs_write_chart(struct file_log *log, const char *path, const struct scene *scene)
+static void write_pixels(struct text *text, const struct scene *scene)
 {
-    struct file *file = file_create(log, path);
-    if (file && has_extension(path, ".csv"))
-        write_table(file, scene);
-    else if (file)
+    picture_write(text, scene->grid);
+}
+
+typedef void write_text(struct text *text, const struct scene *scene);
+
+bool outputs_write_chart(struct file_log *log, struct chart_file chart, const struct scene *scene)
+{
+    write_text *write = chart.kind == OUTPUT_PIXELS            ? write_pixels
+                        : has_extension(chart.path, ".csv") ? csv_write
+                        : has_extension(chart.path, ".k")   ? write_knitout
+                                                            : NULL;
+    struct arena arena = {0};
+    struct text text = {.arena = &arena};
+    struct file *file = file_create(log, chart.path);
+    if (file && write) {
+        write(&text, scene);
+        file_write(file, text.bytes, text.length);
+    } else if (file) {
         chart_grid(file, scene);
+    }
+    arena_free(&arena);
     return file && file_commit(file);
 }
 
@@ -182,7 +207,8 @@ static bool write_report(struct outputs *outputs, int index, const struct occasi
 static bool write_chart(struct outputs *outputs, int index, const struct occasion *now)
 {
     (void)now;
-    return outputs_write_chart(&outputs->log, outputs->scene->output[index].path, outputs->scene);
+    const struct output *output = &outputs->scene->output[index];
+    return outputs_write_chart(&outputs->log, (struct chart_file){output->kind, output->path}, outputs->scene);
 }
 
 static bool write_step(struct outputs *outputs, int index, const struct occasion *now)

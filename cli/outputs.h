@@ -34,8 +34,16 @@ bool outputs_report(struct outputs *outputs, struct report *report);
 /* Growth steps a collection has so far; -1: the output is not a collection. */
 int outputs_steps(const struct outputs *outputs, int index);
 
-/* Writes a chart in the format of path's extension; NULL error: done. */
-bool outputs_write_chart(struct file_log *log, const char *path, const struct scene *scene);
-bool outputs_has_chart(const char *path);
+/* A chart to write: as a chart in the format of its extension, or as pixels. */
+struct chart_file {
+    enum output_kind kind;
+    const char      *path;
+};
+
+/* Can it be written; can it of this fabric (STATUS_SCRIPT: why not is said on
+ * standard error); writes it, NULL error: done. */
+bool        outputs_has_chart(struct chart_file chart);
+enum status outputs_check_chart(struct chart_file chart, const struct scene *scene);
+bool        outputs_write_chart(struct file_log *log, struct chart_file chart, const struct scene *scene);
 
 #endif

@@ -81,9 +81,12 @@
     X(CODE_NO_STITCH,       806, "a chart file without a stitch")                                             \
     X(CODE_COLOUR,          807, "a pixel of a colour the key does not have")                                 \
     X(CODE_PICTURE,         808, "a picture that cannot be read")                                             \
+    X(CODE_KNITOUT,         809, "a line of a knitout file that is no operation, or that no machine can do")  \
+    X(CODE_NOT_PLAIN,       810, "a knitout operation that makes something else than plain knit and purl")    \
     /* warnings */                                                                                            \
     X(CODE_AMBIGUOUS_NAME,  901, "a name that means different things in different countries")                 \
-    X(CODE_REPEAT_NO_COUNT, 902, "a repeat of rows without a number")
+    X(CODE_REPEAT_NO_COUNT, 902, "a repeat of rows without a number")                                         \
+    X(CODE_KNITOUT_NEWER,   903, "a knitout file of a later version than this weft knows")
 
 enum diag_code {
 #define X(name, number, about) name = number,

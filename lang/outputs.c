@@ -13,10 +13,11 @@
 /* What each kind is called, and the extensions it may have. */
 static const struct kind {
     const char *name;
-    const char *extension[5];
+    const char *extension[6];
 } kinds[OUTPUT_KINDS] = {
     [OUTPUT_REPORT] = {"report", {"json"}},
-    [OUTPUT_CHART] = {"chart", {"txt", "svg", "pdf", "png", "csv"}},
+    [OUTPUT_CHART] = {"chart", {"txt", "svg", "pdf", "png", "csv", "k"}},
+    [OUTPUT_PIXELS] = {"pixels", {"png"}},
     [OUTPUT_PICTURE] = {"picture", {"png", "svg", "pdf"}},
     [OUTPUT_PLOT] = {"plot", {"svg", "pdf", "png"}},
     [OUTPUT_TABLE] = {"table", {"csv"}},
@@ -101,8 +102,6 @@ static bool fits_extension(struct eval *eval, enum output_kind kind, struct span
             return true;
         list = arena_printf(eval->arena, "%s%s.%s", list, i ? ", " : "", kinds[kind].extension[i]);
     }
-    if (kind == OUTPUT_CHART && strcasecmp(extension, "k") == 0)
-        return true;
     diag_error(eval->diag, CODE_OUTPUT, span, "a %s cannot be written as '%s'", kinds[kind].name, path);
     diag_hint(eval->diag, "its extension is one of: %s", list);
     return false;

@@ -64,7 +64,7 @@ struct setting {
     const char *about;      /* a param's text, or NULL */
 };
 
-enum output_kind { OUTPUT_REPORT, OUTPUT_CHART, OUTPUT_PICTURE, OUTPUT_PLOT, OUTPUT_TABLE,
+enum output_kind { OUTPUT_REPORT, OUTPUT_CHART, OUTPUT_PIXELS, OUTPUT_PICTURE, OUTPUT_PLOT, OUTPUT_TABLE,
                    OUTPUT_PVD, OUTPUT_VTP, OUTPUT_OBJ, OUTPUT_PLY, OUTPUT_STL, OUTPUT_GLB,
                    OUTPUT_HTML, OUTPUT_KINDS };
 

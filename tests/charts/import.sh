@@ -23,7 +23,7 @@ motif flag multiple of 4 {
     .xxx  1
   }
 }
-swatch tile(flag, 1, 1)
+swatch flag
 KNIT
 
 {

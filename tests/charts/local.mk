@@ -2,14 +2,17 @@
 chart_tests = \
     tests/charts/csv.sh \
     tests/charts/import.sh \
+    tests/charts/knitout.sh \
     tests/charts/png.sh \
     tests/charts/write.sh
 check_SCRIPTS += $(chart_tests)
 EXTRA_DIST += $(chart_tests) tests/charts/grids.sh
 
-# A painter of pictures for the scripts; not a test itself.
-EXTRA_PROGRAMS += tests/charts/paint
+# A painter of pictures and a knitting machine for the scripts; no tests themselves.
+EXTRA_PROGRAMS += tests/charts/machine tests/charts/paint
+tests_charts_machine_SOURCES = tests/charts/machine.c
+tests_charts_machine_LDADD =
 tests_charts_paint_SOURCES = tests/charts/paint.c
 tests_charts_paint_LDADD = $(PNG_LIBS)
-CLEANFILES += tests/charts/paint$(EXEEXT)
-tests/charts/png.sh.log tests/charts/csv.sh.log: tests/charts/paint$(EXEEXT)
+CLEANFILES += tests/charts/machine$(EXEEXT) tests/charts/paint$(EXEEXT)
+tests/charts/png.sh.log tests/charts/knitout.sh.log: tests/charts/machine$(EXEEXT) tests/charts/paint$(EXEEXT)

@@ -19,6 +19,7 @@ for kind in rgb rgba gray indexed deep; do
     same "$kind" "$work/flag.png"
     err 'what the colours are taken for is said' 'flag.png: black is taken as knit, white as purl'
 done
+check 'and stands in the script' grep '^# black is taken as knit, white as purl$' "$work/again.knit"
 exits 0 'quietly' "$WEFT" import -q "$work/flag.png" -o "$work/flag.knit"
 empty 'it is not' "$work/err"
 cp "$work/flag.png" "$work/flag.dat"
@@ -31,7 +32,9 @@ same 'a key of capitals' "$work/red.png" --key '#000000=P,#FF0000=K,#123456=k'
 
 exits 3 'another colour' sh -c 'cd "$2" && "$1" import red.png' - "$WEFT" "$work"
 check 'is an error with its place' diff - "$work/err" <<'TEXT'
-error: red.png: the pixel at x = 0, y = 0 is #ff0000, which the key does not have [E0807]
+red.png:1:1: error: the pixel at x = 0, y = 0 is #ff0000, which the key does not have [E0807]
+   1 | ???k
+     | ^
 note: x counts from 0 at the left, y from 0 at the top; 5 more pixels are not in the key
 hint: `--key '#000000=k,#ffffff=p'` says what the colours mean
 TEXT
@@ -40,6 +43,8 @@ printf 'kkpk\nkprk\n' | "$paint" indexed "$work/one.png"
 exits 3 'one pixel' "$WEFT" import "$work/one.png"
 err 'at x, y' 'x = 2, y = 1 is #ff0000'
 printf 'kkpk\nktpk\n' | "$paint" rgba "$work/clear.png"
+exits 3 'for programs' sh -c 'cd "$2" && "$1" import one.png --diagnostics json' - "$WEFT" "$work"
+err 'the line and the column count from 1' '^{"file": "one.png", "line": 2, "column": 3, "end": 4, .*"code": "E0807"'
 exits 3 'a transparent one' "$WEFT" import "$work/clear.png"
 err 'is said to be that' 'x = 1, y = 1 is transparent'
 
@@ -52,9 +57,22 @@ err 'is useless' 'for pictures'
 
 head -c 60 "$work/red.png" >"$work/cut.png"
 exits 3 'a picture cut short' "$WEFT" import "$work/cut.png"
-err 'cannot be read' 'cut.png: this picture cannot be read.*E0808'
+err 'cannot be read' 'cut.png:1:1: error: this picture cannot be read.*E0808'
 exits 3 'a text called .png' sh -c 'cp "$2/flag.txt" "$2/text.png" && "$1" import "$2/text.png"' - "$WEFT" "$work"
-err 'cannot be read' 'text.png: this picture cannot be read.*E0808'
+err 'cannot be read' 'text.png:1:1: error: this picture cannot be read.*E0808'
+
+# ---- and out ----
+
+"$WEFT" import "$work/flag.txt" >"$work/flag.knit"
+exits 0 'a picture of a pixel for each stitch' "$WEFT" chart "$work/flag.knit" -o "pixels:$work/pixels.png"
+same 'comes back' "$work/pixels.png"
+printf 'motif flag { chart { kp } }\nswatch flag\noutput pixels "%s/run.png"\nsolve { steps = 1 }\n' "$work" >"$work/run.knit"
+exits 0 'as an output of a run' "$WEFT" "$work/run.knit"
+check 'is a picture' test -s "$work/run.png"
+printf 'stitch T { kx = 1 }\nswatch tile(T, 2, 2)\noutput pixels "%s/own.png"\n' "$work" >"$work/own.knit"
+exits 3 'a stitch of the script itself' "$WEFT" "$work/own.knit"
+err 'has no colour' 'the stitch T is neither knit nor purl'
+exits 3 'nor in a chart' "$WEFT" chart "$work/own.knit" -o "pixels:$work/own.png"
 
 # ---- there and back: grids painted, and imported ----
 
