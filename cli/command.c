@@ -19,7 +19,7 @@ const struct command command_table[] = {
      "Prints the right side of the fabric, top row first, with the row numbers at the\n"
      "right of right-side rows and at the left of wrong-side rows. With --grid: for\n"
      "programs, after a header \"# 1 1\" a line of stitch names for each row, the\n"
-     "bottom row first; -o x.txt writes this form to a file. -o writes other forms, too:\n"
+     "bottom row first; -o x.txt writes this form to a file. -o writes others, too:\n"
      "  x.csv         a table for spreadsheets: a cell with k or p for each stitch, the\n"
      "                top row first\n"
      "  x.k           knitout 2, for a knitting machine with two beds\n"
