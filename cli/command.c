@@ -20,8 +20,8 @@ const struct command command_table[] = {
      "right of right-side rows and at the left of wrong-side rows. With --grid: for\n"
      "programs, after a header \"# 1 1\" a line of stitch names for each row, the\n"
      "bottom row first; -o x.txt writes this form to a file. -o writes others, too:\n"
-     "  x.csv         a table for spreadsheets: a cell with k or p for each stitch, the\n"
-     "                top row first\n"
+     "  x.csv         a table for spreadsheets: a cell with k or p for each stitch,\n"
+     "                the top row first\n"
      "  x.k           knitout 2, for a knitting machine with two beds\n"
      "  pixels:x.png  a pixel for each stitch, knit black and purl white\n"},
     {"write", "FILE", 1, 1, command_write, "print written instructions",
