@@ -67,7 +67,9 @@ enum until_kind {
     UNTIL_TIMES,        /* n times */
     UNTIL_MORE,         /* n more times */
     UNTIL_LAST,         /* to last n stitches */
-    UNTIL_END           /* to end, across */
+    UNTIL_END,          /* to end, across */
+    UNTIL_FIT,          /* to end, but for what follows: "across, end k2" */
+    UNTIL_LAST_REPEAT   /* the same, what follows being the last repeat's beginning: "ending last rep k2" */
 };
 
 struct until {
@@ -91,7 +93,7 @@ struct item {
 };
 
 /* Which rows a head names: a number, a first and a last, or all of a kind. */
-enum all_kind { ALL_NONE, ALL_RS, ALL_WS, ALL_EVEN, ALL_ODD, ALL_OTHER };
+enum all_kind { ALL_NONE, ALL_RS, ALL_WS, ALL_EVEN, ALL_ODD, ALL_OTHER, ALL_EVERY };
 
 struct row_numbers {
     struct expr        *first, *last;   /* last NULL: one row */
@@ -102,23 +104,34 @@ struct row_numbers {
     struct row_numbers *next;
 };
 
-enum body_kind { BODY_ITEMS, BODY_AS_ROW, BODY_AS_BELOW };
+enum body_kind { BODY_ITEMS, BODY_AS_ROW, BODY_AS_BELOW, BODY_FABRIC };
+
+/* A fabric known by its name: `work 6 rows in k2, p2 rib`. */
+enum fabric_kind { FABRIC_GARTER, FABRIC_STOCKINETTE, FABRIC_REVERSE, FABRIC_SEED, FABRIC_RIB };
+
+struct fabric {
+    enum fabric_kind kind;
+    int              knit, purl;    /* of a rib */
+};
 
 struct row {
     bool                round;          /* worked in the round: always from the right side */
     enum side           side;
-    struct row_numbers *numbers;        /* NULL: the next row */
+    bool                setup;          /* before row 1, without a number */
+    struct row_numbers *numbers;        /* NULL: the next row, */
+    struct expr        *count;          /* or the next so many rows */
     struct span         head;
     enum body_kind      body;
     struct span         body_span;
     struct item        *item;
-    struct expr        *reference;      /* as row n */
+    struct fabric       fabric;
+    struct row_numbers *reference;      /* as row n, as rows 1-4 */
     struct expr        *check;          /* (n sts), or NULL */
     struct span         check_span;
 };
 
 /* Repeating rows is working them again: n times means n more times. */
-enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS };
+enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL };
 
 struct again {
     struct row_numbers *numbers;
@@ -186,7 +199,8 @@ enum stmt_kind {
     STMT_AGAIN,
     STMT_FOR,
     STMT_IF,
-    STMT_CHART
+    STMT_CHART,
+    STMT_PROSE          /* a line of a page that is no pattern; its span is all of it */
 };
 
 struct stmt {

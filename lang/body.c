@@ -50,9 +50,12 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
     case UNTIL_LAST:
         work->until = WORK_LAST;
         return true;
-    default:
+    case UNTIL_END:
         work->until = WORK_LAST;
         work->n = 0;
+        return true;
+    default:
+        work->until = WORK_FIT;
         return true;
     }
 }
@@ -101,17 +104,37 @@ static bool lower_item(struct eval *eval, struct where where, const struct item 
     return false;
 }
 
+/* "ending last rep k2": what stands there is how the repeat begins. */
+static bool check_last_repeat(struct eval *eval, const struct item *item, const struct work *work)
+{
+    const struct work *first = work->child, *end = work->next;
+
+    for (; first && end && !first->child && first->stitch == end->stitch && first->length == end->length; end = end->next)
+        first = first->next;
+    if (!end || (first && !end->next && !first->child && first->stitch == end->stitch && end->length < first->length))
+        return true;
+    diag_error(eval->diag, CODE_ROW_REPEAT, item->until.span, "how the last repeat ends can be read in two ways");
+    diag_hint(eval->diag, "write what follows the whole repeats: `rep from * to last 2 sts, k2`");
+    return false;
+}
+
 static bool lower_items(struct eval *eval, struct where where, const struct item *item, struct work **first)
 {
+    const struct item *last_repeat = NULL;
+    struct work *repeat = NULL;
     bool alone = item && !item->next, good = true;
 
     *first = NULL;
     for (; item; item = item->next) {
         good &= lower_item(eval, where, item, alone, first);
+        if (*first && item->until.kind == UNTIL_LAST_REPEAT) {
+            last_repeat = item;
+            repeat = *first;
+        }
         if (*first)
             first = &(*first)->next;
     }
-    return good;
+    return good && (!repeat || check_last_repeat(eval, last_repeat, repeat));
 }
 
 /* ---- row numbers ---- */
@@ -175,34 +198,91 @@ static bool lower_check(struct eval *eval, struct where where, const struct row 
            eval_whole(eval, where, row->check, 0, LIMIT_STITCHES, "the number of stitches", &text->check);
 }
 
-static bool lower_body(struct eval *eval, struct where where, const struct row *row, struct body *body,
+/* The text of a row given before, under another number. */
+static bool lower_as_row(struct eval *eval, const struct row *row, const struct body *body, int label,
+                         struct row_text *text)
+{
+    const struct row_text *other = rows_find(body->rows, label);
+
+    if (!other) {
+        diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "there is no row %d before this one", label);
+        return false;
+    }
+    text->work = other->work;
+    text->on_ws = other->on_ws;
+    text->cut = other->cut;
+    text->failed = other->failed;
+    text->as_below = other->as_below;
+    text->as_opposite = other->as_opposite;
+    text->check = text->check < 0 ? other->check : text->check;
+    return true;
+}
+
+/* ---- fabrics with a name ---- */
+
+/* n stitches of a kind; 0: as many as there are. */
+static struct work *run_of(struct eval *eval, stitch_id stitch, int n, struct span span)
+{
+    struct work *work = arena_new(eval->arena, struct work);
+
+    *work = (struct work){.span = span, .stitch = stitch, .length = n ? n : 1, .until = n ? WORK_TIMES : WORK_FIT, .n = 1};
+    return work;
+}
+
+/* Seed and rib have a first row and go on from what is below; garter in the
+ * round takes turns. */
+static int fabric_variant(const struct row *row, int i)
+{
+    switch (row->fabric.kind) {
+    case FABRIC_GARTER:
+        return row->round ? i % 2 : 0;
+    case FABRIC_SEED:
+    case FABRIC_RIB:
+        return i > 0;
+    default:
+        return 0;
+    }
+}
+
+static void lower_fabric(struct eval *eval, const struct row *row, int variant, struct row_text *text)
+{
+    struct fabric fabric = row->fabric;
+    bool below = variant && fabric.kind != FABRIC_GARTER;
+    stitch_id first = fabric.kind == FABRIC_REVERSE || (fabric.kind == FABRIC_GARTER && variant) ? STITCH_P : STITCH_K;
+
+    if (below) {
+        text->as_opposite = fabric.kind == FABRIC_SEED;
+        text->as_below = fabric.kind == FABRIC_RIB;
+        return;
+    }
+    text->cut = fabric.kind == FABRIC_SEED || fabric.kind == FABRIC_RIB;
+    text->work = run_of(eval, first, text->cut ? fabric.knit : 0, row->body_span);
+    if (text->cut)
+        text->work->next = run_of(eval, STITCH_P, fabric.purl, row->body_span);
+    else if (fabric.kind != FABRIC_GARTER)
+        text->on_ws = run_of(eval, first == STITCH_K ? STITCH_P : STITCH_K, 0, row->body_span);
+}
+
+/* ---- bodies ---- */
+
+/* `from`: the row whose text it is (`as rows 1-4`), or which of a fabric's. */
+static bool lower_body(struct eval *eval, struct where where, const struct row *row, struct body *body, int from,
                        struct row_text *text)
 {
-    const struct row_text *other;
-    long long label, length;
+    long long length;
 
-    if (row->body == BODY_AS_BELOW) {
+    switch (row->body) {
+    case BODY_AS_BELOW:
         text->as_below = true;
         return true;
-    }
-    if (row->body == BODY_AS_ROW) {
-        if (!eval_whole(eval, where, row->reference, 1, LIMIT_WRITTEN_ROWS, "a row number", &label))
-            return false;
-        other = rows_find(body->rows, (int)label);
-        if (!other) {
-            diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span,
-                       "there is no row %lld before this one", label);
-            return false;
-        }
-        text->work = other->work;
-        text->failed = other->failed;
-        text->as_below = other->as_below;
-        text->check = text->check < 0 ? other->check : text->check;
+    case BODY_AS_ROW:
+        return lower_as_row(eval, row, body, from, text);
+    case BODY_FABRIC:
+        lower_fabric(eval, row, from, text);
         return true;
+    default:
+        return lower_items(eval, where, row->item, &text->work) && work_measure(eval->diag, text->work, &length);
     }
-    if (!lower_items(eval, where, row->item, &text->work))
-        return false;
-    return work_measure(eval->diag, text->work, &length);
 }
 
 static bool too_many_rows(struct eval *eval, struct span span)
@@ -213,26 +293,79 @@ static bool too_many_rows(struct eval *eval, struct span span)
     return true;
 }
 
+/* The next so many rows. */
+static bool count_labels(struct eval *eval, struct where where, const struct row *row, const struct body *body,
+                         struct labels *labels)
+{
+    long long n, next = rows_last_label(body->rows) + 1;
+
+    if (!eval_whole(eval, where, row->count, 1, LIMIT_WRITTEN_ROWS, "the number of rows", &n))
+        return false;
+    for (long long i = 0; i < n; i++)
+        if (!add_label(eval, labels, next + i, row->head))
+            return false;
+    return true;
+}
+
+/* `Rows 5-12: as rows 1-4`: whole turns. */
+static bool check_references(struct eval *eval, const struct row *row, const struct labels *labels, int nrows)
+{
+    if (!labels->n || nrows % labels->n == 0)
+        return labels->n > 0;
+    diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "%d rows cannot be worked as %d rows", nrows,
+               labels->n);
+    return false;
+}
+
+/* One row's text; it counts even with an error: those after it keep their places. */
+static struct row_text *make_text(struct eval *eval, struct where where, const struct row *row, struct body *body,
+                                  int from)
+{
+    struct row_text *text = arena_new(eval->arena, struct row_text);
+
+    *text = (struct row_text){.side = row->side, .round = row->round, .span = row->body_span, .head = row->head};
+    if (!lower_check(eval, where, row, text))
+        return NULL;
+    if (!lower_body(eval, where, row, body, from, text))
+        text->failed = true;
+    return text;
+}
+
 static bool run_row(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
     const struct row *row = &stmt->row;
-    struct row_text *text = arena_new(eval->arena, struct row_text);
-    struct labels labels = {0};
+    struct row_text *text = NULL;
+    struct labels labels = {0}, from = {0};
+    int before = 0;
 
-    *text =
-        (struct row_text){.side = row->side, .round = row->round, .span = row->body_span, .head = row->head};
     if (too_many_rows(eval, row->head) || !evaluate_labels(eval, where, row->numbers, &labels) ||
-        !lower_check(eval, where, row, text))
+        (row->count && !count_labels(eval, where, row, body, &labels)) ||
+        !evaluate_labels(eval, where, row->reference, &from))
+        return false;
+    if (row->body == BODY_AS_ROW && !check_references(eval, row, &from, labels.n ? labels.n : 1))
         return false;
 
-    /* A row with an error still counts: those after it keep their places. */
-    if (!lower_body(eval, where, row, body, text))
-        text->failed = true;
+    /* Rows of one text share it. */
+    for (int i = 0; i < (labels.n ? labels.n : 1); i++) {
+        int which = row->body == BODY_AS_ROW   ? from.label[i % from.n]
+                    : row->body == BODY_FABRIC ? fabric_variant(row, i)
+                                               : 0;
+
+        if (i == 0 || which != before)
+            text = make_text(eval, where, row, body, which);
+        if (!text)
+            return false;
+        if (labels.n)
+            rows_add(body->rows, text, &labels.label[i], 1);
+        before = which;
+    }
     for (const struct row_numbers *part = row->numbers; part; part = part->next)
         if (part->all)
             rows_fill(body->rows, text, part->all, labels.n ? labels.label[0] : 1);
-    if (labels.n || !row->numbers)
-        rows_add(body->rows, text, labels.label, labels.n);
+    if (row->setup)
+        rows_set_up(body->rows, text);
+    else if (!row->numbers && !row->count)
+        rows_add(body->rows, text, NULL, 0);
     return true;
 }
 
@@ -259,7 +392,9 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
                      "how often these rows are repeated is not said: not once more");
         diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
     }
-    if (again->kind == AGAIN_TIMES && n)
+    if (again->kind == AGAIN_TOTAL && n && rows_just_worked(body->rows, labels.label, labels.n))
+        n--;
+    if ((again->kind == AGAIN_TIMES || again->kind == AGAIN_TOTAL) && n)
         rows_again(body->rows, stmt->span, labels.label, labels.n, n, 0);
     else if (again->kind == AGAIN_UNTIL_ROWS)
         rows_again(body->rows, stmt->span, labels.label, labels.n, 0, n);
@@ -353,6 +488,8 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
         return run_if(eval, *where, stmt, body);
     case STMT_CAST_ON:
         return run_cast_on(eval, *where, stmt, body);
+    case STMT_PROSE:
+        return true;
     case STMT_LET:
         local = arena_new(eval->arena, struct local);
         *local = (struct local){stmt->let.name.name, eval_expr(eval, *where, stmt->let.value), where->local};

@@ -86,7 +86,12 @@
     /* warnings */                                                                                            \
     X(CODE_AMBIGUOUS_NAME,  901, "a name that means different things in different countries")                 \
     X(CODE_REPEAT_NO_COUNT, 902, "a repeat of rows without a number")                                         \
-    X(CODE_KNITOUT_NEWER,   903, "a knitout file of a later version than this weft knows")
+    X(CODE_KNITOUT_NEWER,   903, "a knitout file of a later version than this weft knows")                   \
+    X(CODE_PROSE,           904, "lines that are read as text, not as a part of the pattern")                 \
+    X(CODE_FIRST_SIZE,      905, "several sizes, of which the first is taken")                                \
+    X(CODE_ASSUMED_WIDTH,   906, "rows without a cast-on, over some repeats of their multiple")               \
+    X(CODE_ASSUMED_REPEAT,  907, "a repeat in a row whose beginning is not marked")                           \
+    X(CODE_ASSUMED_TOTAL,   908, "rows worked so often, by which the first time may be meant or not")
 
 enum diag_code {
 #define X(name, number, about) name = number,

@@ -179,26 +179,54 @@ static long long open_width(struct compilation *c, const struct body *body)
     return 0;
 }
 
-/* `Multiple of 4 + 2` at the top of the file: the cast-on must be one. */
-static bool check_multiple(struct compilation *c, const struct body *body)
+/* `Multiple of 4 + 2` at the top of the file. */
+static bool multiple_of(struct compilation *c, const struct body *body, long long *of, long long *plus)
 {
     struct eval *eval = &c->eval;
     const struct multiple *multiple = &body->multiple;
     struct where where = {eval->main, NULL};
-    long long of, plus = 0;
 
-    if (!multiple->of)
+    *plus = 0;
+    return eval_whole(eval, where, multiple->of, 1, LIMIT_STITCHES, "the multiple", of) &&
+           (!multiple->plus ||
+            eval_whole(eval, where, multiple->plus, 0, LIMIT_STITCHES, "the stitches added", plus));
+}
+
+/* The cast-on must be one. */
+static bool check_multiple(struct compilation *c, const struct body *body)
+{
+    long long of, plus;
+
+    if (!body->multiple.of)
         return true;
-    if (!eval_whole(eval, where, multiple->of, 1, LIMIT_STITCHES, "the multiple", &of) ||
-        (multiple->plus &&
-         !eval_whole(eval, where, multiple->plus, 0, LIMIT_STITCHES, "the stitches added", &plus)))
+    if (!multiple_of(c, body, &of, &plus))
         return false;
     if (!body->cast_on || (body->cast_on >= of + plus && (body->cast_on - plus) % of == 0))
         return true;
-    diag_error(eval->diag, CODE_FIT, body->cast_on_span, "%lld is not a multiple of %lld + %lld",
-               body->cast_on, of, plus);
-    diag_note(eval->diag, multiple->span, "which the pattern asks for");
+    diag_error(c->eval.diag, CODE_FIT, body->cast_on_span, "%lld is not a multiple of %lld + %lld", body->cast_on, of,
+               plus);
+    diag_note(c->eval.diag, body->multiple.span, "which the pattern asks for");
     return false;
+}
+
+enum { ASSUMED_REPEATS = 4, ASSUMED_STITCHES = 20 };
+
+/* A pattern from a stitch dictionary says its multiple and no more. */
+static long long assumed_width(struct compilation *c, const struct body *body)
+{
+    struct diag *diag = c->eval.diag;
+    long long of, plus, width;
+    struct fit fit;
+
+    if (!rows_fit(body->rows, &fit) || !rows_good(body->rows) || !multiple_of(c, body, &of, &plus))
+        return 0;
+    if (!fit.multiple)
+        return fit.plus;
+    width = (of < 4 ? ASSUMED_STITCHES / of : ASSUMED_REPEATS) * of + plus;
+    diag_warning(diag, CODE_ASSUMED_WIDTH, body->multiple.span,
+                 "how many stitches are cast on is not said: %lld, a multiple of %lld + %lld", width, of, plus);
+    diag_hint(diag, "`Cast on %lld sts`, or another multiple", width + of);
+    return width;
 }
 
 static const struct grid *grid_of_body(struct compilation *c, struct body *body)
@@ -216,7 +244,9 @@ static const struct grid *grid_of_body(struct compilation *c, struct body *body)
     }
     if (!check_multiple(c, body))
         return NULL;
-    if (!width)
+    if (!width && body->multiple.of)
+        width = assumed_width(c, body);
+    else if (!width)
         width = open_width(c, body);
     if (!width || !fabric_size(eval, body->first, width, rows_count(body->rows)))
         return NULL;

@@ -190,6 +190,24 @@ static void format_verbatim(struct format *f, struct span span, int indent)
     }
 }
 
+/* What pages write in words of their own keeps them. */
+static bool has_own_words(const struct format *f, const struct token *first, const struct stmt *stmt)
+{
+    static const int words[] = {TOKEN_SETUP,     TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK,
+                                TOKEN_WORK_ROWS, TOKEN_FABRIC,    TOKEN_TO_FIT,     TOKEN_LAST_REPEAT, TOKEN_SIZES,
+                                TOKEN_AND_ALL,   TOKEN_TOTAL,     TOKEN_FOR_TOTAL,  TOKEN_UNTIL_LENGTH};
+    const struct row *row = stmt->kind == STMT_ROW ? &stmt->row : NULL;
+
+    for (const struct token *t = first; t < token(f); t++)
+        for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+            if (t->kind == words[i])
+                return true;
+    for (const struct row_numbers *part = row ? row->numbers : NULL; part; part = part->next)
+        if (part->all == ALL_EVERY)
+            return true;
+    return row && row->reference && (row->reference->next || row->reference->last || row->reference->all);
+}
+
 static void format_row(struct format *f, int indent)
 {
     const struct token *first = token(f);
@@ -197,19 +215,22 @@ static void format_row(struct format *f, int indent)
     bool comments = skip_row(f);
     struct span span = {f->source, first->span.start, f->tokens.at[f->at - 1].span.end};
 
-    if (comments)
+    while (span.start > 0 && strchr("*_", f->source->text[span.start - 1]))
+        span.start--;
+    if (comments || has_own_words(f, first, stmt))
         format_verbatim(f, span, indent);
     else
         row_words(f->out, &f->style, stmt, first->kind, is_stopped(f, stmt, span.end));
 }
 
-/* `Bind off all stitches.` keeps its words. */
+/* Text around a pattern keeps its words. */
 static void format_words(struct format *f)
 {
     const char *text = f->source->text, *end = text + token(f)->span.end, *word = text + token(f)->span.start;
 
     for (size_t n; word < end; word += n + strspn(word + n, " \t\f\v")) {
-        n = strcspn(word, " \t\f\v\r\n#{};");
+        for (n = 0; word + n < end && !strchr(" \t\f\v", word[n]);)
+            n++;
         layout_add(f->out, " ", word > text + token(f)->span.start && n);
         layout_add(f->out, word, n);
     }
@@ -320,7 +341,8 @@ static void format_body(struct format *f, int indent)
 
 static bool is_knitters(int kind)
 {
-    static const int kinds[] = {TOKEN_ROW, TOKEN_ALL, TOKEN_CAST_ON, TOKEN_MULTIPLE_OF, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST};
+    static const int kinds[] = {TOKEN_ROW, TOKEN_ALL, TOKEN_CAST_ON, TOKEN_MULTIPLE_OF, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST,
+                                TOKEN_SETUP, TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK, TOKEN_WORK_ROWS};
 
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (kind == kinds[i])
@@ -361,7 +383,7 @@ static void format_statement(struct format *f, int indent)
         format_row(f, indent);
         return;
     }
-    if (kind == TOKEN_BIND_OFF) {
+    if (kind == TOKEN_PROSE || kind == TOKEN_GO_ON) {
         format_words(f);
         return;
     }

@@ -115,6 +115,27 @@ unsigned source_start(const struct source *source)
     return source->size >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
 }
 
+/* The blanks of a page (no-break, thin, zero width): each byte of them becomes a
+ * plain one, so that places stay the same. */
+const char *source_plain(struct arena *arena, const struct source *source)
+{
+    static const char *const blanks[] = {"\xC2\xA0",     "\xE2\x80\xAF", "\xE2\x80\x82", "\xE2\x80\x83", "\xE2\x80\x89",
+                                         "\xE2\x80\x8A", "\xE2\x80\x8B", "\xE2\x80\x87", "\xE2\x81\xA0", "\xE3\x80\x80",
+                                         "\xEF\xBB\xBF"};
+    char *text = NULL;
+
+    for (size_t at = 0; at < source->size; at++)
+        for (size_t i = 0; (unsigned char)source->text[at] >= 0xC2 && i < sizeof blanks / sizeof *blanks; i++) {
+            size_t n = strlen(blanks[i]);
+
+            if (strncmp(source->text + at, blanks[i], n) != 0)
+                continue;
+            text = text ? text : arena_copy(arena, source->text, source->size);
+            memset(text + at, ' ', n);
+        }
+    return text ? text : source->text;
+}
+
 struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names,
                         const struct source *source)
 {
@@ -123,6 +144,7 @@ struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *na
 
     if (!is_script(diag, source, source->text + scanner.at))
         return NULL;
+    parse.text = source_plain(arena, source);
     parse.scanner = &scanner;
     scanner_parse(&scanner);
     return parse.file;
@@ -131,7 +153,7 @@ struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *na
 struct expr *parse_expression(struct arena *arena, struct diag *diag, struct names *names,
                               const struct source *source, unsigned start)
 {
-    struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
+    struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source, .text = source->text};
     struct scanner scanner = {.parse = &parse, .at = start, .start = TOKEN_START_EXPRESSION};
 
     parse.scanner = &scanner;

@@ -12,6 +12,7 @@ struct parse {
     struct diag         *diag;
     struct names        *names;
     const struct source *source;
+    const char          *text;          /* the source's, byte for byte, with every kind of blank as one */
     struct stmt         *file;          /* the result: statements, */
     struct expr         *expression;    /* or the value of an option */
     struct scanner      *scanner;
@@ -23,6 +24,9 @@ struct stmt *parse_file(struct arena *, struct diag *, struct names *, const str
 
 /* The expression at byte `start` of a text and to its end; never NULL. */
 struct expr *parse_expression(struct arena *, struct diag *, struct names *, const struct source *, unsigned start);
+
+/* The text with every kind of blank as a plain one, byte for byte at its place. */
+const char *source_plain(struct arena *, const struct source *);
 
 /* Its first byte behind a byte order mark, which says nothing to us. */
 unsigned source_start(const struct source *);

@@ -63,7 +63,9 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     struct { double value; int dimension; } number;
     const char *text;
     enum side side;
-    enum all_kind all;
+    struct { enum all_kind kind; bool round; } all;
+    struct fabric fabric;
+    struct { int of, plus; } parity;
     struct expr *expr;
     struct exprs exprs;
     struct argument *argument;
@@ -124,22 +126,41 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token BY               "'by'"
 %token MOD              "'mod'"
 
+%token PROSE            "a line of text"
+%token GO_ON            "'continue in pattern'"
 %token CAST_ON          "'cast on'"
+%token SIZES            "further sizes"
+%token <parity> NUMBER_OF "'an even number of'"
+%token <side> SETUP            "'set-up row'"
+%token <text> PLAIN_ROWS "'knit' or 'purl' so many rows"
+%token <text> PLAIN_EVERY "'knit every row'"
+%token WORK             "'work'"
+%token WORK_ROWS        "'work rows'"
+%token <fabric> FABRIC  "a fabric's name"
+%token FOR_ROWS         "'for' so many rows"
+%token IN_FABRIC        "'in' or 'of'"
 %token <side> ROW       "'row'"
 %token <side> ROW_WORD  "'rows'"
 %token <all> ALL        "'all rows'"
 %token <side> SIDE      "RS or WS"
+%token <all> AND_ALL    "'and all rows'"
 %token AND              "'and'"
 %token RANGE            "'-' between row numbers"
 %token REPEAT_ROWS      "'repeat rows'"
 %token REPEAT_LAST      "'repeat the last'"
 %token FOR_PATTERN      "'for pattern'"
 %token UNTIL_ROWS       "'until the piece has'"
+%token UNTIL_LENGTH     "'until the piece measures'"
+%token FOR_TOTAL        "'for a total of'"
+%token TOTAL            "'in all'"
 
 %token STAR             "'*' in a row"
 %token REP_FROM         "'rep from *'"
 %token REP              "'repeat'"
+%token REP_ALL          "'repeat' without a star"
 %token TO_END           "'to end'"
+%token TO_FIT           "'to end, ending'"
+%token LAST_REPEAT      "'ending last repeat'"
 %token TO_LAST          "'to last'"
 %token UNTIL            "'until'"
 %token REMAIN           "'remain'"
@@ -150,7 +171,6 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token CROSS            "'x' (times)"
 %token AS_ROW           "'as row'"
 %token <number> AS_NTH_ROW "'as 3rd row'"
-%token BIND_OFF         "'bind off'"
 %token AS_BELOW         "'knit the knits and purl the purls'"
 %token DASH             "'--'"
 %token HOLE             "'{' of a number"
@@ -195,7 +215,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %type <exprs>     exprs exprs_1
 %type <argument>  argument
 %type <arguments> arguments arguments_1
-%type <stmt>      line statement simple if row_statement repeat_statement
+%type <stmt>      line statement simple if row_statement repeat_statement work_statement
 %type <stmts>     lines
 %type <name>      name string kind
 %type <names>     names chart_lines
@@ -239,11 +259,12 @@ newline: NEWLINE                        { yyerrok; };
 line:
   %empty                                { $$ = NULL; }
 | statement
-| BIND_OFF                              { $$ = NULL; }
+| PROSE                                 { $$ = ast_stmt(parse, STMT_PROSE, @$); }
+| GO_ON                                 { $$ = ast_stmt(parse, STMT_PROSE, @$); syntax_goes_on(parse, @$); }
 | error                                 { $$ = NULL; }
 ;
 
-statement: simple | if | row_statement | repeat_statement;
+statement: simple | if | row_statement | repeat_statement | work_statement;
 
 simple:
   KNIT expr                             { $$ = stmt_expr(parse, STMT_VERSION, @$, $expr); }
@@ -266,6 +287,7 @@ simple:
 | FOR name IN range '{' lines '}'       { $$ = stmt_for(parse, span_join(@1, @4), $name, $range, $lines.first); }
 | CHART chart_key '{' chart_lines '}'   { $$ = stmt_chart(parse, span_join(@1, @2), $2.first, $4.first); }
 | CAST_ON count sts                     { $$ = stmt_expr(parse, STMT_CAST_ON, @$, $count); }
+| CAST_ON count SIZES sts               { $$ = stmt_expr(parse, STMT_CAST_ON, @$, $count); syntax_first_size(parse, @SIZES); }
 | CAST_ON multiple                      { $$ = stmt_multiple(parse, $multiple); }
 | multiple                              { $$ = stmt_multiple(parse, $multiple); }
 ;
@@ -307,6 +329,7 @@ multiple:
   MULTIPLE_OF count sts                 { $$ = (struct multiple){$count, NULL, @$}; }
 | MULTIPLE_OF count[of] sts '+' count[plus] sts
                                         { $$ = (struct multiple){$of, $plus, @$}; }
+| NUMBER_OF                             { $$ = syntax_parity(parse, @$, $1.of, $1.plus); }
 ;
 sts: %empty | STS;
 
@@ -362,12 +385,13 @@ chart_lines:
 
 /* ---- written rows ---- */
 
-row_statement: row_head ':' row_body    { $$ = stmt_row(parse, @$, syntax_row($row_head, @1, $row_body, @3)); };
+row_statement: row_head ':' row_body    { $$ = stmt_row(parse, @$, syntax_row(parse, $row_head, @1, $row_body, @3)); };
 
 row_head:
   ROW row_sides                         { $$ = syntax_head(parse, $ROW, $2, NULL); }
 | ROW row_sides parts                   { $$ = syntax_head(parse, $ROW, $2, $parts.first); }
-| ALL                                   { $$ = syntax_head(parse, SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, NULL, $ALL)); }
+| ALL                                   { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, NULL, $ALL.kind)); }
+| SETUP row_sides                       { $$ = syntax_head(parse, $SETUP, $2, NULL); $$.setup = true; }
 ;
 row_sides:
   %empty                                { $$ = SIDE_OPEN; }
@@ -376,13 +400,15 @@ row_sides:
 
 parts:
   part                                  { $$ = (struct numbers){$1, $1}; }
-| parts[all] and part                   { $$ = $all; APPEND($$, $part); }
+| parts[all] ',' part                   { $$ = $all; APPEND($$, $part); }
+| parts[all] AND part                   { $$ = $all; APPEND($$, $part); }
+| parts[all] ',' AND part               { $$ = $all; APPEND($$, $part); }
+| parts[all] AND_ALL                    { $$ = $all; APPEND($$, ast_row_numbers(parse, @2, NULL, NULL, $AND_ALL.kind)); }
 ;
-and: ',' | AND | ',' AND;
 part:
   count                                 { $$ = ast_row_numbers(parse, @$, $count, NULL, ALL_NONE); }
 | count[first] RANGE count[last]        { $$ = ast_row_numbers(parse, @$, $first, $last, ALL_NONE); }
-| ALL                                   { $$ = ast_row_numbers(parse, @$, NULL, NULL, $ALL); }
+| ALL                                   { $$ = ast_row_numbers(parse, @$, NULL, NULL, $ALL.kind); $$->round = $ALL.round; }
 | part[of] SIDE                         { $$ = $of; $$->side = $SIDE; }
 | part[of] ROW_WORD                     { $$ = $of; $$->round |= $ROW_WORD == SIDE_RS; }
 ;
@@ -390,8 +416,14 @@ part:
 row_body:
   elements                              { $$ = (struct row){.item = $1.first}; }
 | elements check                        { $$ = (struct row){.item = $1.first, .check = $check, .check_span = @check}; }
-| AS_ROW count                          { $$ = (struct row){.body = BODY_AS_ROW, .reference = $count}; }
-| AS_NTH_ROW                            { $$ = (struct row){.body = BODY_AS_ROW, .reference = expr_number(parse, @1, $1.value, 0)}; }
+| elements REP_ALL until                { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, NULL)}; }
+| elements REP_ALL until check          { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, NULL), .check = $check, .check_span = @check}; }
+| elements REP_ALL until elements[tail] { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, $tail.first)}; }
+| elements REP_ALL until elements[tail] check
+                                        { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, $tail.first), .check = $check, .check_span = @check}; }
+| AS_ROW parts                          { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first}; }
+| AS_NTH_ROW                            { $$ = (struct row){.body = BODY_AS_ROW, .reference = ast_row_numbers(parse, @1, expr_number(parse, @1, $1.value, 0), NULL, ALL_NONE)}; }
+| FABRIC                                { $$ = (struct row){.body = BODY_FABRIC, .fabric = $1}; }
 | AS_BELOW                              { $$ = (struct row){.body = BODY_AS_BELOW}; }
 ;
 
@@ -403,6 +435,7 @@ element:
   item
 | STAR items REP_FROM until             { $$ = item_group(parse, ITEM_REP_FROM, @$, $items.first, $until); }
 | STAR items STAR until                 { $$ = item_group(parse, ITEM_STARS, @$, $items.first, $until); }
+| STAR items STAR REP_FROM until        { $$ = item_group(parse, ITEM_REP_FROM, @$, $items.first, $until); }
 | STAR items STAR REP until             { $$ = item_group(parse, ITEM_REP_FROM, @$, $items.first, $until); }
 ;
 
@@ -430,6 +463,8 @@ until:
 ;
 position:
   TO_END                                { $$ = (struct until){UNTIL_END, NULL, @$}; }
+| TO_FIT                                { $$ = (struct until){UNTIL_FIT, NULL, @$}; }
+| LAST_REPEAT                           { $$ = (struct until){UNTIL_LAST_REPEAT, NULL, @$}; }
 | TO_LAST STS                           { $$ = (struct until){UNTIL_LAST, expr_number(parse, @$, 1, 0), @$}; }
 | TO_LAST count sts                     { $$ = (struct until){UNTIL_LAST, $count, @$}; }
 | UNTIL count sts REMAIN                { $$ = (struct until){UNTIL_LAST, $count, @$}; }
@@ -445,6 +480,7 @@ times:
 check:
   '(' count STS remain ')'              { $$ = $count; }
 | '[' count STS remain ']'              { $$ = $count; }
+| '(' count ')'                         { $$ = $count; }
 | DASH count STS remain                 { $$ = $count; }
 ;
 remain: %empty | REMAIN;
@@ -457,6 +493,8 @@ count:
 repeat_statement:
   REPEAT_ROWS parts again               { $$ = stmt_again(parse, @$, syntax_again($parts.first, NULL, $again)); }
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
+| REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
+| WORK_ROWS parts again                 { $$ = stmt_again(parse, @$, syntax_work_again(parse, @$, $parts.first, $again)); }
 ;
 again:
   %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }
@@ -465,8 +503,24 @@ again:
 | count MORE TIMES                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | TWICE                                 { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
 | TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
+| ',' count TIMES                       { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
+| ',' count MORE TIMES                  { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
+| UNTIL_LENGTH                          { $$ = (struct again){.kind = AGAIN_PATTERN}; }
+| FOR_TOTAL count TIMES                 { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }
+| count TIMES TOTAL                     { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }
+| TWICE TOTAL                           { $$ = (struct again){.kind = AGAIN_TOTAL, .n = expr_number(parse, @1, $1.value, 0)}; }
 ;
+
+work_statement:
+  PLAIN_ROWS count more ROW_WORD        { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
+| PLAIN_EVERY                           { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, NULL, SIDE_OPEN)); }
+| WORK in FABRIC for count ROW_WORD     { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD)); }
+| WORK count ROW_WORD in FABRIC         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD)); }
+;
+more: %empty | MORE;
+in: %empty | IN_FABRIC;
+for: %empty | FOR_ROWS | ',' | ':' | RANGE;
 
 /* ---- expressions ---- */
 

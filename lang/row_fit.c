@@ -342,6 +342,23 @@ static long long reading_that_fits(const struct row_text *row, const struct work
     return fixed + times(work->length, work->n + 1) == width ? work->n + 1 : -1;
 }
 
+/* The work again and again, cut off where the row ends: behind a whole pass or
+ * behind its first stitches. */
+static bool work_cut(struct diag *diag, const struct row_text *row, long long width, const char *left, stitch_id *to)
+{
+    long long period = row->work->length + row->work->next->length, rest = width % period;
+
+    if (rest && rest != row->work->length) {
+        diag_error(diag, CODE_ROW_FIT, row->span,
+                   "row %d does not come out even: this rib is worked over a multiple of %lld, or %lld more, but %s",
+                   row->label, period, row->work->length, left);
+        return false;
+    }
+    for (long long i = 0; i < width; i++)
+        to[i] = i % period < row->work->length ? row->work->stitch : row->work->next->stitch;
+    return true;
+}
+
 bool row_work(struct diag *diag, const struct row_text *row, int width, enum width_from from,
               const struct row_text *before, stitch_id *worked)
 {
@@ -350,6 +367,8 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
     bool either = false;
     struct fit fit;
 
+    if (row->cut)
+        return work_cut(diag, row, width, left, worked);
     for (const struct work *work = row->work; work; work = work->next)
         if (work->until == WORK_EITHER) {
             either = true;

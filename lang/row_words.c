@@ -226,7 +226,7 @@ static void put_row(struct writer *w, const struct row *row)
     put_head(w, row);
     layout_column(w->out, LAYOUT_ROW);
     if (row->body == BODY_AS_ROW)
-        PUT("as %s %s", w->noun, count(w, row->reference));
+        PUT("as %s %s", w->noun, count(w, row->reference->first));
     else if (row->body == BODY_AS_BELOW)
         PUT("knit the knits and purl the purls");
     else

@@ -137,17 +137,25 @@ static void add_at(struct row_list *list, struct row_text *text, int label)
         text->label = label;
 }
 
-void rows_add(struct row_list *list, struct row_text *text, const int *label, int n)
+/* False for rows among rounds. */
+static bool rows_mix(struct row_list *list, const struct row_text *text)
 {
     if (text->round ? list->flat : list->round) {
         diag_error(list->diag, CODE_ROW_ROUND, text->head, "rows and rounds cannot be mixed in one fabric");
         diag_hint(list->diag, "rows are worked back and forth, rounds always from the right side");
         fail(list);
-        return;
+        return false;
     }
     list->round |= text->round;
     list->flat |= !text->round;
     list->span = text->head;
+    return true;
+}
+
+void rows_add(struct row_list *list, struct row_text *text, const int *label, int n)
+{
+    if (!rows_mix(list, text))
+        return;
     if (!n)
         add_at(list, text, rows_last_label(list) + 1);
     for (int i = 0; i < n && !list->failed; i++)
@@ -189,7 +197,7 @@ static void find_start(struct row_list *list)
         const struct row_text *text = list->pending[i];
 
         if (text && text->side)
-            list->start = i % 2 == 0 || list->round ? text->side : other_side(text->side);
+            list->start = (list->norder + i) % 2 == 0 || list->round ? text->side : other_side(text->side);
     }
     if (list->round && list->start == SIDE_WS) {
         diag_error(list->diag, CODE_ROW_SIDE, list->span, "a round is always worked from the right side");
@@ -202,7 +210,7 @@ static struct row_text *filler_for(const struct row_list *list, int label, enum 
     for (const struct filler *f = list->filler; f; f = f->next)
         if ((f->all == ALL_RS && side == SIDE_RS) || (f->all == ALL_WS && side == SIDE_WS) ||
             (f->all == ALL_EVEN && label % 2 == 0) || (f->all == ALL_ODD && label % 2 == 1) ||
-            (f->all == ALL_OTHER && label >= f->first && (label - f->first) % 2 == 0))
+            f->all == ALL_EVERY || (f->all == ALL_OTHER && label >= f->first && (label - f->first) % 2 == 0))
             return f->text;
     return NULL;
 }
@@ -243,7 +251,9 @@ static void flush(struct row_list *list)
     if (!n && !list->filler)
         return;
     find_start(list);
-    if ((list->norder + n) % 2 && filler_for(list, list->first + n, side_of(list, list->norder + n)))
+    if (!n && !list->norder)
+        n = filler_for(list, 1, list->round ? SIDE_RS : SIDE_OPEN) ? 1 : 2;
+    else if ((list->norder + n) % 2 && filler_for(list, list->first + n, side_of(list, list->norder + n)))
         n++;
     for (int i = 0; i < n && !list->failed; i++) {
         int label = list->first + i;
@@ -271,6 +281,33 @@ static void flush(struct row_list *list)
         list->pending[i] = NULL;
     list->first = list->last_label + 1;
     list->npending = 0;
+}
+
+void rows_set_up(struct row_list *list, struct row_text *text)
+{
+    if (!rows_mix(list, text))
+        return;
+    flush(list);
+    if (!list->start && text->side && !list->norder)
+        list->start = text->side;
+    if (!list->failed) {
+        check_side(list, text, list->norder);
+        append(list, text);
+    }
+}
+
+bool rows_just_worked(struct row_list *list, const int *label, int n)
+{
+    flush(list);
+    if (list->failed || n > list->norder)
+        return false;
+    for (int i = 0; i < n; i++)
+        if (label[i] >= list->label_room || list->label[label[i]] != list->order[list->norder - n + i])
+            return false;
+    for (int i = 0; i < list->norder - n; i++)
+        if (list->order[i] == list->order[list->norder - n])
+            return false;
+    return true;
 }
 
 void rows_again(struct row_list *list, struct span span, const int *label, int n, long long times,
@@ -319,7 +356,7 @@ bool rows_fit(const struct row_list *list, struct fit *fit)
         struct fit row, both;
 
         /* Each text once, however often it is worked. */
-        if (text->as_below || text->failed || text->seen)
+        if (text->as_below || text->as_opposite || text->cut || text->failed || text->seen)
             continue;
         text->seen = true;
         if (!row_fit(list->diag, text, &row))
@@ -373,16 +410,22 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             before = NULL;
             continue;
         }
-        if (text->as_below && i == 0) {
+        if ((text->as_below || text->as_opposite) && i == 0) {
             diag_error(list->diag, CODE_ROW_REFERENCE, text->span, "there is no row below the first");
             return NULL;
         }
-        if (text->as_below) {
+        if (text->as_opposite) {
+            for (int x = 0; x < width; x++)
+                to[x] = ws[to[x - width]];
+        } else if (text->as_below) {
             memcpy(to, to - width, (size_t)width);
         } else if (text->drawn[side]) {
             memcpy(to, cell + (size_t)(text->drawn[side] - 1) * (size_t)width, (size_t)width);
         } else {
-            good &= row_work(list->diag, text, width, from, before, worked);
+            struct row_text here = *text;
+
+            here.work = side == SIDE_WS && text->on_ws ? text->on_ws : text->work;
+            good &= row_work(list->diag, &here, width, from, before, worked);
             draw_row(to, worked, width, side, ws);
             text->drawn[side] = i + 1;
         }

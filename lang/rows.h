@@ -36,7 +36,10 @@ struct row_text {
     enum side    side;          /* as marked */
     bool         round;
     bool         as_below;      /* knits over knits, purls over purls */
+    bool         as_opposite;   /* knits over purls, purls over knits */
+    bool         cut;           /* `work` again and again, cut off behind its last or its first stitches */
     struct work *work;
+    struct work *on_ws;         /* the work on the wrong side, where it is another; or NULL */
     long long    check;         /* (n sts), -1: none */
     struct span  span, head, check_span;
     bool         failed;        /* an error was reported: it only takes its place */
@@ -60,11 +63,17 @@ bool rows_any(const struct row_list *);
 /* Adds a text at the row numbers given (n of them; none: the next row). */
 void rows_add(struct row_list *, struct row_text *, const int *label, int n);
 
+/* Works a row before row 1, which has no number. */
+void rows_set_up(struct row_list *, struct row_text *);
+
 /* `all WS rows`: the text of every row of a kind that has none of its own. */
 void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first);
 
 /* The text of a row already given, or NULL. */
 const struct row_text *rows_find(const struct row_list *, int label);
+
+/* Whether the labels given are the rows worked last, and not twice. */
+bool rows_just_worked(struct row_list *, const int *label, int n);
 
 /* Works rows again: the labels given, `times` more, or until there are `total`. */
 void rows_again(struct row_list *, struct span, const int *label, int n, long long times, long long total);

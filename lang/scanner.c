@@ -32,6 +32,41 @@ int scanner_token(struct scanner *scanner, int kind)
     return kind;
 }
 
+void scanner_begin(struct scanner *scanner, int statement)
+{
+    scanner->statement = statement;
+    scanner->begun = true;
+    scanner->section = false;
+}
+
+/* An empty line ends a list of materials. */
+void scanner_blank_line(struct scanner *scanner, const char *line_ends)
+{
+    const char *first = strpbrk(line_ends, "\r\n");
+
+    if (first && strpbrk(first + (first[0] == '\r' && first[1] == '\n') + 1, "\r\n"))
+        scanner->section = false;
+}
+
+bool scanner_closes_group(const struct scanner *scanner)
+{
+    return scanner->previous == ')' || scanner->previous == ']' || scanner->previous == TOKEN_STAR;
+}
+
+static size_t word_length(const char *text)
+{
+    size_t n = 0;
+
+    while (isalpha((unsigned char)text[n]) || text[n] == '_')
+        n++;
+    return n;
+}
+
+static bool is_word(const char *text, size_t length, const char *word)
+{
+    return strlen(word) == length && strncasecmp(text, word, length) == 0;
+}
+
 /* ---- values ---- */
 
 int scanner_text(struct scanner *scanner, KNIT_STYPE *value, int kind, struct span span, const char *text,
@@ -115,7 +150,10 @@ void scanner_number_word(KNIT_STYPE *value, const char *text)
         int number;
     } words[] = {{"once", 1},  {"one", 1},  {"twice", 2}, {"two", 2},     {"thrice", 3},
                  {"three", 3}, {"four", 4}, {"five", 5},  {"six", 6},     {"seven", 7},
-                 {"eight", 8}, {"nine", 9}, {"ten", 10},  {"eleven", 11}, {"twelve", 12}};
+                 {"eight", 8}, {"nine", 9}, {"ten", 10},  {"eleven", 11}, {"twelve", 12},
+                 {"first", 1}, {"second", 2}, {"third", 3}, {"fourth", 4},   {"fifth", 5},
+                 {"sixth", 6}, {"seventh", 7}, {"eighth", 8}, {"ninth", 9},  {"tenth", 10},
+                 {"eleventh", 11}, {"twelfth", 12}};
 
     value->number.value = 1;
     value->number.dimension = 0;
@@ -124,15 +162,21 @@ void scanner_number_word(KNIT_STYPE *value, const char *text)
             value->number.value = words[i].number;
 }
 
-/* SIDE_RS stands for "in the round": `rnd`, `rounds`; not `row`. */
+/* Whether the last word is `rnd`, `rounds`, `rds`; not `row`, not `r`. */
+static bool ends_with_round(const char *text)
+{
+    const char *word = text + strlen(text);
+
+    while (word > text && (isalpha((unsigned char)word[-1]) || word[-1] == '.'))
+        word--;
+    return tolower((unsigned char)*word) == 'r' && isalpha((unsigned char)word[1]) &&
+           strncasecmp(word, "row", 3) != 0;
+}
+
+/* SIDE_RS stands for "in the round". */
 void scanner_round(KNIT_STYPE *value, const char *text)
 {
-    const char *word = strrchr(text, ' ');
-    size_t length;
-
-    word = word ? word + 1 : text;
-    length = strlen(word);
-    value->side = length > 2 && tolower((unsigned char)word[2]) != 'w' ? SIDE_RS : SIDE_OPEN;
+    value->side = ends_with_round(text) ? SIDE_RS : SIDE_OPEN;
 }
 
 void scanner_side(KNIT_STYPE *value, const char *text)
@@ -141,7 +185,67 @@ void scanner_side(KNIT_STYPE *value, const char *text)
     value->side = tolower((unsigned char)*text) == 'r' ? SIDE_RS : SIDE_WS;
 }
 
-/* "all RS rows", "every following wrong-side row", "all even rows". */
+/* "an even number of", "any number of". */
+void scanner_number_of(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        int of, plus;
+    } words[] = {{"even", 2, 0}, {"odd", 2, 1}, {"uneven", 2, 1}, {"any", 1, 0}};
+
+    value->parity.of = 1;
+    value->parity.plus = 0;
+    for (; *text; text += *text ? 1 : 0) {
+        size_t length = word_length(text);
+
+        for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+            if (is_word(text, length, words[i].word)) {
+                value->parity.of = words[i].of;
+                value->parity.plus = words[i].plus;
+            }
+        text += length;
+        if (!*text)
+            break;
+    }
+}
+
+/* "k2, p2 rib", "3 x 3 rib", "double rib": the numbers of a rib. */
+static struct fabric rib_of(const char *text)
+{
+    struct fabric rib = {FABRIC_RIB, 1, 1};
+    int *number[] = {&rib.knit, &rib.purl};
+
+    if (is_word(text, word_length(text), "double"))
+        rib.knit = rib.purl = 2;
+    for (int i = 0; i < 2 && *(text += strcspn(text, "0123456789")); i++) {
+        size_t length = strspn(text, "0123456789");
+
+        *number[i] = length < 6 ? atoi(text) : 999999;
+        text += length;
+    }
+    return rib;
+}
+
+void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *text)
+{
+    static const struct {
+        const char *first;
+        enum fabric_kind kind;
+    } fabrics[] = {{"garter", FABRIC_GARTER}, {"rev", FABRIC_REVERSE}, {"st", FABRIC_STOCKINETTE},
+                   {"seed", FABRIC_SEED},     {"moss", FABRIC_SEED}};
+
+    value->fabric = rib_of(text);
+    for (size_t i = 0; i < sizeof fabrics / sizeof *fabrics; i++)
+        if (strncasecmp(text, fabrics[i].first, strlen(fabrics[i].first)) == 0)
+            value->fabric.kind = fabrics[i].kind;
+    if (strncasecmp(text, "moss", 4) == 0) {
+        diag_warning(scanner->parse->diag, CODE_AMBIGUOUS_NAME, span,
+                     "'moss' is two patterns: in Britain what others call seed, in America a pattern of four rows");
+        diag_hint(scanner->parse->diag, "taken as 'seed' (British moss); the American one is `use moss_us from std`");
+    }
+}
+
+/* "all RS rows", "every following wrong-side row", "all even rows", "every row". */
 void scanner_all(KNIT_STYPE *value, const char *text)
 {
     static const struct {
@@ -150,13 +254,14 @@ void scanner_all(KNIT_STYPE *value, const char *text)
     } words[] = {{"rs", ALL_RS},    {"right", ALL_RS},  {"ws", ALL_WS},
                  {"wrong", ALL_WS}, {"even", ALL_EVEN}, {"odd", ALL_ODD}};
 
-    value->all = ALL_NONE;
-    for (; *text && !value->all; text += strspn(text, " \t\f\v-")) {
+    value->all.round = ends_with_round(text);
+    value->all.kind = ALL_EVERY;
+    for (; *text && value->all.kind == ALL_EVERY; text += strspn(text, " \t\f\v-")) {
         size_t length = strcspn(text, " \t\f\v-");
 
         for (size_t i = 0; i < sizeof words / sizeof *words; i++)
             if (length == strlen(words[i].word) && strncasecmp(text, words[i].word, length) == 0)
-                value->all = words[i].all;
+                value->all.kind = words[i].all;
         text += length;
     }
 }
@@ -213,6 +318,11 @@ static enum bracket brace_of(const struct scanner *scanner, bool in_expression)
         return BRACKET_CHART;
     case TOKEN_ROW:
     case TOKEN_ALL:
+    case TOKEN_SETUP:
+    case TOKEN_AS_ROW:
+    case TOKEN_PLAIN_ROWS:
+    case TOKEN_WORK:
+    case TOKEN_WORK_ROWS:
     case TOKEN_CAST_ON:
     case TOKEN_MULTIPLE_OF:
     case TOKEN_REPEAT_ROWS:
@@ -266,25 +376,11 @@ int scanner_end(struct scanner *scanner)
 
 /* ---- line ends ---- */
 
-static size_t word_length(const char *text)
-{
-    size_t n = 0;
-
-    while (isalpha((unsigned char)text[n]) || text[n] == '_')
-        n++;
-    return n;
-}
-
-static bool is_word(const char *text, size_t length, const char *word)
-{
-    return strlen(word) == length && strncasecmp(text, word, length) == 0;
-}
-
 /* Whether a statement begins here: one of its words and behind it what may follow one. */
-static bool statement_follows(const char *text)
+static bool statement_follows(const struct scanner *scanner, const char *text)
 {
     static const char *const rows[] = {"row",    "rows", "rnd",   "rnds", "round",
-                                       "rounds", "the",  "these", "last"};
+                                       "rounds", "the",  "these", "this", "last"};
     size_t length = word_length(text);
     const char *behind = text + length + strspn(text + length, " \t");
     size_t next = word_length(behind);
@@ -297,6 +393,9 @@ static bool statement_follows(const char *text)
                 return true;
         return false;
     }
+    /* `k2,` and on the next line `knit 2`. */
+    if (scanner->comma && is_word(text, length, "knit"))
+        return false;
     for (int i = 0; i < nstatement_words; i++)
         if (is_word(text, length, statement_word[i]))
             return isalnum((unsigned char)*behind) || strchr("\"{:(", *behind);
@@ -339,20 +438,25 @@ static bool goes_on(int token)
 /* In a row: after a comma, an open star or a colon, and before `rep from`. */
 static bool row_goes_on(const struct scanner *scanner, const char *text)
 {
+    static const char *const words[] = {"st", "sts", "stitch", "stitches", "to", "across", "last", "end", "ending", "from"};
     size_t length = word_length(text);
 
+    /* `rep from *`, `rep to end`; not `repeat for pattern`. */
     if (is_word(text, length, "rep") || is_word(text, length, "repeat"))
-        return true;
+        return !is_word(text + length + 1, word_length(text + length + 1), "for");
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (is_word(text, length, words[i]))
+            return true;
     return scanner->comma || (scanner->star && syntax_is_row(text)) || scanner->previous == ':' ||
            scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL;
 }
 
 bool scanner_ends_line(struct scanner *scanner, bool in_row)
 {
-    const char *next = scanner->parse->source->text + scanner->at;
+    const char *next = SCANNER_TEXT(scanner);
     bool open = scanner->nopen && is_in_line(scanner->open[scanner->nopen - 1].kind);
 
-    if (statement_follows(next) || !*next)
+    if (statement_follows(scanner, next) || !*next)
         return true;
     if (open)
         return false;
@@ -376,7 +480,7 @@ bool scanner_end_line(struct scanner *scanner)
 
 bool scanner_number_follows(const struct scanner *scanner)
 {
-    const char *text = scanner->parse->source->text + scanner->at;
+    const char *text = SCANNER_TEXT(scanner);
 
     text += strspn(text, " \t");
     return isdigit((unsigned char)*text) || *text == '{';

@@ -34,10 +34,17 @@ struct scanner {
     bool          star;             /* a row's star is open */
     bool          star_left;        /* and was when the row ended */
     bool          complained;       /* about a character of this line */
+    bool          bold;             /* `**` was opened before this head */
+    bool          begun;            /* a statement came before */
+    bool          section;          /* of materials, notes or abbreviations, up to an empty line */
+    int           titles;           /* lines of prose before the first statement */
+    unsigned      prose_end;        /* lines before this were called prose */
     bool          quiet;            /* an unclosed bracket was reported: no more about it */
     int           nopen;
     struct open   open[LIMIT_NESTING];
 };
+
+#define SCANNER_TEXT(scanner) ((scanner)->parse->text + (scanner)->at)
 
 /* Runs flex and bison over the text from byte `at` on (lexer.l). */
 struct stmt *scanner_parse(struct scanner *);
@@ -58,7 +65,16 @@ int scanner_open_string(struct scanner *, struct span);
 int scanner_character(struct scanner *, struct span);
 int scanner_end(struct scanner *);
 
+/* A statement's first word; an empty line. */
+void scanner_begin(struct scanner *, int statement);
+void scanner_blank_line(struct scanner *, const char *line_ends);
+
+/* Whether what was read last is a group that can be repeated. */
+bool scanner_closes_group(const struct scanner *);
+
 /* Each sets the value only. */
+void scanner_number_of(KNIT_STYPE *, const char *text);
+void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *text);
 void scanner_lower(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
 void scanner_number_word(KNIT_STYPE *, const char *text);
 void scanner_round(KNIT_STYPE *, const char *text);

@@ -29,7 +29,7 @@ static bool begins_statement(struct span span)
     const char *text = span.source->text;
     size_t at = span.start;
 
-    while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t'))
+    while (at > 0 && text[at - 1] && strchr(" \t*-_", text[at - 1]))
         at--;
     return at == 0 || strchr("\n\r;{}", text[at - 1]) || (unsigned char)text[at - 1] == 0xBF;
 }
@@ -138,8 +138,81 @@ struct row syntax_head(struct parse *parse, enum side round, enum side side, str
     return row;
 }
 
-struct row syntax_row(struct row head, struct span head_span, struct row body, struct span body_span)
+/* Whether an item is stitches with a number: `p1`, `purl 2`. */
+static bool is_counted(const struct item *item)
 {
+    return item->kind == ITEM_STITCH && (item->count || isdigit((unsigned char)item->name[strlen(item->name) - 1]));
+}
+
+static void warn_repeat(struct parse *parse, struct span first, struct span last, const char *end)
+{
+    struct span span = span_join(first, last);
+    const char *text = first.source->text + first.start;
+    int length = (int)(last.end - first.start);
+
+    while (length > 0 && strchr(" ,;\t", text[length - 1]))
+        length--;
+    diag_warning(parse->diag, CODE_ASSUMED_REPEAT, span, "where this repeat begins is not marked: at the row's first stitch");
+    diag_hint(parse->diag, "`*%.*s; rep from * %s`", length, text, end);
+}
+
+/* `k1, p1 to end`: nobody would write p1 for a purl to the end; the row is repeated. */
+static struct item *repeat_to_end(struct parse *parse, struct item *first)
+{
+    for (struct item *item = first; item; item = item->next) {
+        enum until_kind kind = item->until.kind;
+        struct item *group;
+
+        if (item->kind != ITEM_STITCH || (kind != UNTIL_ONCE && (item == first || !is_counted(item))))
+            return first;
+        if (kind == UNTIL_ONCE)
+            continue;
+        if (kind == UNTIL_TIMES)
+            return first;
+        warn_repeat(parse, first->span, (struct span){item->span.source, item->span.start, item->until.span.start},
+                    kind == UNTIL_LAST ? "to last .. sts" : "to end");
+        group = item_group(parse, ITEM_REP_FROM, span_join(first->span, item->span), first, item->until);
+        group->next = item->next;
+        item->next = NULL;
+        item->until = (struct until){.span = item->span};
+        return group;
+    }
+    return first;
+}
+
+struct item *syntax_whole(struct parse *parse, struct span rep, struct item *first, struct until until, struct item *tail)
+{
+    struct item *last = first, *group;
+
+    while (last->next)
+        last = last->next;
+    warn_repeat(parse, first->span, last->span, "to end");
+    group = item_group(parse, ITEM_REP_FROM, span_join(first->span, rep), first, until);
+    group->next = tail;
+    return group;
+}
+
+struct row syntax_plain_rows(struct parse *parse, struct span all, struct span word, const char *stitch,
+                             struct expr *count, enum side round)
+{
+    struct row row = {.round = round == SIDE_RS, .count = count, .head = all, .body_span = all};
+
+    row.item = item_stitch(parse, word, stitch, NULL, (struct until){.span = word});
+    if (!count)
+        row.numbers = ast_row_numbers(parse, all, NULL, NULL, ALL_EVERY);
+    return row;
+}
+
+struct row syntax_fabric(struct span all, struct fabric fabric, struct expr *count, enum side round)
+{
+    return (struct row){.round = round == SIDE_RS, .count = count, .head = all, .body = BODY_FABRIC, .body_span = all,
+                        .fabric = fabric};
+}
+
+struct row syntax_row(struct parse *parse, struct row head, struct span head_span, struct row body, struct span body_span)
+{
+    body.item = repeat_to_end(parse, body.item);
+    body.setup = head.setup;
     body.round = head.round;
     body.side = head.side;
     body.numbers = head.numbers;
@@ -153,4 +226,35 @@ struct again syntax_again(struct row_numbers *numbers, struct expr *last, struct
     again.numbers = numbers;
     again.last = last;
     return again;
+}
+
+/* `Work rows 1-4 three times` right behind them is three times in all. */
+struct again syntax_work_again(struct parse *parse, struct span span, struct row_numbers *numbers, struct again again)
+{
+    again.numbers = numbers;
+    if (again.kind != AGAIN_TIMES)
+        return again;
+    again.kind = AGAIN_TOTAL;
+    diag_warning(parse->diag, CODE_ASSUMED_TOTAL, span, "whether the rows above are the first time is not said: they are");
+    diag_hint(parse->diag, "`repeat rows 1-4 3 more times` says it");
+    return again;
+}
+
+/* ---- what is not said, and what is taken ---- */
+
+struct multiple syntax_parity(struct parse *parse, struct span span, int of, int plus)
+{
+    return (struct multiple){expr_number(parse, span, of, 0), plus ? expr_number(parse, span, plus, 0) : NULL, span};
+}
+
+void syntax_first_size(struct parse *parse, struct span sizes)
+{
+    diag_warning(parse->diag, CODE_FIRST_SIZE, sizes, "several sizes: the first is taken");
+    diag_hint(parse->diag, "for another, write its number alone");
+}
+
+void syntax_goes_on(struct parse *parse, struct span span)
+{
+    diag_warning(parse->diag, CODE_REPEAT_NO_COUNT, span, "how long the pattern goes on is not said: no row more");
+    diag_hint(parse->diag, "`repeat rows 1-4 5 times`, or `repeat rows 1-4 until piece has 40 rows`");
 }

@@ -16,7 +16,20 @@ bool syntax_is_row(const char *text);
 void syntax_too_deep(struct parse *, struct span);
 
 struct row syntax_head(struct parse *, enum side round, enum side, struct row_numbers *);
-struct row syntax_row(struct row head, struct span head_span, struct row body, struct span body_span);
+/* Rows without numbers: "knit 4 rows" (no count: every row), "work 6 rows in st st". */
+struct row syntax_plain_rows(struct parse *, struct span, struct span word, const char *stitch, struct expr *count,
+                             enum side round);
+struct row syntax_fabric(struct span, struct fabric, struct expr *count, enum side round);
+
+/* `k1, p1, rep to end`: all that stands before is what is repeated. Warns. */
+struct item *syntax_whole(struct parse *, struct span, struct item *, struct until, struct item *tail);
+
+struct multiple syntax_parity(struct parse *, struct span, int of, int plus);
+void syntax_first_size(struct parse *, struct span);
+void syntax_goes_on(struct parse *, struct span);
+
+struct row syntax_row(struct parse *, struct row head, struct span head_span, struct row body, struct span body_span);
+struct again syntax_work_again(struct parse *, struct span, struct row_numbers *, struct again);
 struct again syntax_again(struct row_numbers *, struct expr *last, struct again);
 
 #endif

@@ -84,7 +84,8 @@ static void take(void *context, int kind, struct span span)
 struct tokens tokens_read(struct arena *arena, struct names *names, const struct source *source)
 {
     struct diag diag;
-    struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source};
+    struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source,
+                          .text = source_plain(arena, source)};
     struct scanner scanner = {.parse = &parse, .at = source_start(source), .start = TOKEN_START_FILE};
     struct reader reader = {.arena = arena, .source = source, .end = scanner.at, .first = true};
 

@@ -51,6 +51,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh \
     tests/golden/picture_keys.knit \
     tests/golden/pictures.knit \
     tests/golden/place_of_statements.knit \
+    tests/golden/prose.knit \
+    tests/golden/prose_width.knit \
     tests/golden/repeat_no_count.knit \
     tests/golden/rows.knit \
     tests/golden/settings.knit \
@@ -85,6 +87,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh \
     tests/golden/picture_keys.expected \
     tests/golden/pictures.expected \
     tests/golden/place_of_statements.expected \
+    tests/golden/prose.expected \
+    tests/golden/prose_width.expected \
     tests/golden/repeat_no_count.expected \
     tests/golden/rows.expected \
     tests/golden/settings.expected \

@@ -105,7 +105,7 @@ grid 'stitch A { symbol = "a"; ws = B }|stitch B { symbol = "b"; ws = A }|Row 1:
 
 grid 'Multiple of 2 sts plus 1|Cast on 5 sts|Row 1: *k1, p1; rep from * to last st, k1' 'KPKPK'
 wrong E0401 'Multiple of 2 + 1|Cast on 4|Row 1: k4' '4 is not a multiple of 2 + 1'
-wrong E0310 'Cast on a multiple of 2 sts plus 1|Row 1: *k1, p1; rep from * to last st, k1' 'not said'
+size 'Multiple of 2 + 1|Row 1: k1, p1, k1' '3 x 1'
 
 # What does not come out.
 wrong E0303 'Cast on 24|Row 1: k23' 'row 1 works 23 stitches, but 24 are cast on'

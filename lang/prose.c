@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A line of a pasted page in, whether it is prose out.  What cannot be told
+ * apart from a mistyped statement is none: it stays an error. */
+#include "lang/prose.h"
+
+#include <ctype.h>
+#include <string.h>
+#include <strings.h>
+
+#include "lang/scanner.h"
+#include "lang/syntax.h"
+
+enum { TITLE_LINES = 3, TITLE_WORDS = 10, LONGEST = 4000 };
+
+static size_t line_length(const char *text)
+{
+    return strcspn(text, "\r\n");
+}
+
+static size_t word_length(const char *text)
+{
+    size_t n = 0;
+
+    while (isalpha((unsigned char)text[n]))
+        n++;
+    return n;
+}
+
+static const char *skip_blanks(const char *text)
+{
+    return text + strspn(text, " \t\f\v");
+}
+
+/* The next line that is not empty. */
+static const char *next_line(const char *text)
+{
+    text += line_length(text);
+    return text + strspn(text, " \t\f\v\r\n");
+}
+
+static bool is_word(const char *text, const char *word)
+{
+    size_t n = word_length(text);
+
+    return strlen(word) == n && strncasecmp(text, word, n) == 0;
+}
+
+static bool is_one_of(const char *text, const char *const *word, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (is_word(text, word[i]))
+            return true;
+    return false;
+}
+
+/* Whether one of the characters stands on the line. */
+static bool line_has(const char *text, const char *characters)
+{
+    return text[strcspn(text, "\r\n")] ? strcspn(text, characters) < line_length(text)
+                                       : strpbrk(text, characters) != NULL;
+}
+
+static bool line_has_word(const char *text, const char *word)
+{
+    size_t n = line_length(text);
+
+    for (size_t i = 0; i < n; i += word_length(text + i) + 1)
+        if (is_word(text + i, word))
+            return true;
+    return false;
+}
+
+/* ---- parts of a line ---- */
+
+bool prose_line_ends(const char *text)
+{
+    text = skip_blanks(text);
+    text += *text == '.';
+    return !*skip_blanks(text) || strchr("\r\n#", *skip_blanks(text));
+}
+
+bool prose_names_row(const char *text)
+{
+    static const char *const word[] = {"row", "rows", "round", "rounds", "rnd", "rnds", "rd", "rds"};
+    size_t n = strcspn(text, ":\r\n");
+
+    for (size_t i = 0; i < n; i += word_length(text + i) + 1)
+        if (is_one_of(text + i, word, sizeof word / sizeof *word))
+            return true;
+    return false;
+}
+
+bool prose_statement_follows(const char *text)
+{
+    static const char *const word[] = {"row",  "rows", "round", "rounds", "rnd",    "rnds", "cast", "co",   "bind",
+                                       "knit", "purl", "work",  "rep",    "repeat", "with", "using", "weave", "bo"};
+
+    text += strspn(text, "*_ \t");
+    return is_one_of(text, word, sizeof word / sizeof *word);
+}
+
+/* ---- a statement's word that begins a sentence ---- */
+
+static bool opens_block(const char *text)
+{
+    return line_has(text, "{") || *next_line(text) == '{';
+}
+
+static bool no_version(const char *text)
+{
+    return !isdigit((unsigned char)*text) && !strchr("-.(", *text);
+}
+
+static bool no_block(const char *text)
+{
+    return *text != '{' && *next_line(text) != '{';
+}
+
+static bool no_body(const char *text)
+{
+    return !opens_block(text);
+}
+
+static bool no_loop(const char *text)
+{
+    return !opens_block(text) && !line_has(text, "[]=") && !strstr(text, "..");
+}
+
+static bool no_file(const char *text)
+{
+    return *text != '"' && *text != '\xE2' && !line_has_word(text, "from") && !line_has_word(text, "std");
+}
+
+static bool is_labelled(const char *text)
+{
+    return *text == ':';
+}
+
+bool prose_is_keyword(const char *text)
+{
+    static const struct {
+        const char *word;
+        bool (*none)(const char *behind);
+    } words[] = {{"knit", no_version}, {"gauge", no_block}, {"material", no_block},  {"springs", no_block},
+                 {"mesh", no_block},   {"solve", no_block}, {"stitch", no_body},     {"chart", no_body},
+                 {"if", no_body},      {"for", no_loop},    {"swatch", is_labelled}, {"motif", is_labelled},
+                 {"use", no_file}};
+    const char *behind = skip_blanks(text + word_length(text));
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (is_word(text, words[i].word))
+            return *behind && !strchr("\r\n", *behind) && words[i].none(behind) && prose_reads(text, true);
+    return false;
+}
+
+/* ---- sentences ---- */
+
+static int count_words(const char *text)
+{
+    size_t n = line_length(text);
+    int words = 0;
+
+    for (size_t i = 0; i < n; i++)
+        words += isalnum((unsigned char)text[i]) && (i == 0 || isspace((unsigned char)text[i - 1]));
+    return words;
+}
+
+/* `Casst on 22`, `swach tile(..)`: the first word is nearly a statement's, and what
+ * follows is no mere text. */
+static bool is_mistyped(const char *text)
+{
+    char word[32] = "";
+    size_t n = word_length(text);
+    struct nearest nearest;
+
+    if (n < 3 || n >= sizeof word || !line_has(text, "0123456789:\"=({"))
+        return false;
+    memcpy(word, text, n);
+    nearest = nearest_to(word);
+    for (int i = 0; i < nstatement_words; i++) {
+        if (strcasecmp(word, statement_word[i]) == 0)
+            return false;
+        nearest_offer(&nearest, statement_word[i]);
+    }
+    return nearest.best && nearest.distance <= 1 && strlen(nearest.best) + 1 >= n && strlen(nearest.best) <= n + 1;
+}
+
+/* `k2`, `P10`: a stitch with its number. */
+static bool has_stitches(const char *text)
+{
+    size_t n = line_length(text);
+
+    for (size_t i = 0; i + 1 < n; i++) {
+        bool begins = i == 0 || !isalnum((unsigned char)text[i - 1]);
+        size_t digits = strspn(text + i + 1, "0123456789");
+
+        if (begins && strchr("kKpP", text[i]) && digits && !isalpha((unsigned char)text[i + 1 + digits]))
+            return true;
+    }
+    return false;
+}
+
+/* `tile(`, but not `st(s)`. */
+static bool has_call(const char *text)
+{
+    size_t n = line_length(text);
+
+    for (size_t i = 1; i < n; i++)
+        if (text[i] == '(' && (isalnum((unsigned char)text[i - 1]) || text[i - 1] == '_') &&
+            strncasecmp(text + i, "(s)", 3) != 0 && strncasecmp(text + i, "(es)", 4) != 0)
+            return true;
+    return false;
+}
+
+bool prose_reads(const char *text, bool loose)
+{
+    if (line_length(text) > LONGEST || line_has(text, "{}") || is_mistyped(text))
+        return false;
+    if (loose)
+        return true;
+    return !line_has(text, "[]\"=<>*|") && !has_stitches(text) && !has_call(text) && word_length(text) > 0 &&
+           (count_words(text) > 1 || line_has(text, ":!"));
+}
+
+bool prose_is_title(const char *text)
+{
+    return !line_has(text, "{}[]\"=<>*|()0123456789") && !is_mistyped(text) && !syntax_is_row(text) &&
+           word_length(text) > 0 && count_words(text) <= TITLE_WORDS;
+}
+
+/* ---- in the scanner ---- */
+
+/* How many lines from here on read as prose; `end` is behind the last. */
+static int block_length(const char *text, const char **end)
+{
+    int n = 0;
+
+    do {
+        n++;
+        *end = text + line_length(text);
+        text = next_line(text);
+    } while (*text && !prose_statement_follows(text) && !prose_is_keyword(text) && prose_reads(text, false));
+    return n;
+}
+
+bool scanner_prose(struct scanner *scanner)
+{
+    struct parse *parse = scanner->parse;
+    const char *text = parse->text + scanner->at, *end;
+    struct span span = {parse->source, scanner->at, scanner->at + (unsigned)line_length(text)};
+    int lines;
+
+    if (scanner->at < scanner->prose_end)
+        return prose_reads(text, false);
+    if (scanner->section && prose_reads(text, true) && !syntax_is_row(text))
+        return true;
+    if (!scanner->begun && scanner->titles < TITLE_LINES && prose_is_title(text)) {
+        scanner->titles++;
+        return true;
+    }
+    if (!prose_is_keyword(text) && !prose_reads(text, false))
+        return false;
+
+    /* Nothing says what this is: it is named, once for lines that follow each other. */
+    lines = block_length(text, &end);
+    scanner->prose_end = (unsigned)(end - parse->text);
+    if (lines == 1)
+        diag_warning(parse->diag, CODE_PROSE, span, "this line is read as text, not as a part of the pattern");
+    else
+        diag_warning(parse->diag, CODE_PROSE, span,
+                     "these %d lines are read as text, not as a part of the pattern", lines);
+    diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`; '#' before a text keeps it silent");
+    return true;
+}
