@@ -38,6 +38,43 @@ static const char *motif_name(struct arena *arena, const char *path)
     return is_taken(name) ? arena_printf(arena, "%s_chart", name) : name;
 }
 
+/* ---- its repeat ---- */
+
+/* Does every row equal itself moved by a period; does the grid, moved up? */
+static bool repeats_across(const struct grid *g, int period)
+{
+    for (int row = 0; row < g->rows; row++) {
+        const stitch_id *cell = g->cell + (size_t)row * (size_t)g->columns;
+        if (memcmp(cell, cell + period, (size_t)(g->columns - period)) != 0)
+            return false;
+    }
+    return true;
+}
+
+static bool repeats_up(const struct grid *g, int period)
+{
+    size_t columns = (size_t)g->columns;
+    return memcmp(g->cell, g->cell + columns * (size_t)period, columns * (size_t)(g->rows - period)) == 0;
+}
+
+/* The smallest part that makes the grid, of an even number of rows: those can be written out. */
+static struct pattern find_repeat(struct arena *arena, const struct pattern *whole)
+{
+    struct pattern part = *whole;
+    int columns = 1, rows = 2, width = whole->grid->columns, height = whole->grid->rows;
+    if (whole->across > 1 || whole->up > 1 || whole->words)
+        return part;
+    while (columns < width && !(width % columns == 0 && repeats_across(whole->grid, columns)))
+        columns++;
+    while (rows < height && !(height % rows == 0 && repeats_up(whole->grid, rows)))
+        rows += 2;
+    rows = rows < height ? rows : height;
+    part.grid = grid_window(arena, whole->grid, 0, 0, columns, rows);
+    part.across = width / columns;
+    part.up = height / rows;
+    return part;
+}
+
 /* ---- its body ---- */
 
 static void write_chart(struct text *text, const struct grid *g)
@@ -88,14 +125,20 @@ static const char *one_line(struct arena *arena, const char *path)
     return strcmp(path, "-") == 0 ? "standard input" : name;
 }
 
-void import_script(struct text *text, const struct pattern *p, const char *path, const char *what)
+void import_script(struct text *text, const struct pattern *whole, const char *path, const char *what)
 {
+    struct pattern part = find_repeat(text->arena, whole), *p = &part;
     const char *name = motif_name(text->arena, path);
-    text_print(text, "# %s, from %s: %d stitches x %d rows\n", what, one_line(text->arena, path), p->grid->columns,
-               p->grid->rows);
+    const char *end = p->across > 1 || p->up > 1 ? "}\nswatch tile(%s, %d, %d)\n" : "}\nswatch %s\n";
+    text_print(text, "# %s, from %s: %d stitches x %d rows\n", what, one_line(text->arena, path), whole->grid->columns,
+               whole->grid->rows);
     if (p->remark)
         text_print(text, "# %s\n", p->remark);
+    if (p->words) {
+        text_bytes(text, p->words, strlen(p->words));
+        return;
+    }
     text_print(text, "motif %s multiple of %d {\n", name, p->grid->columns);
     write_body(text, p);
-    text_print(text, p->across > 1 || p->up > 1 ? "}\nswatch tile(%s, %d, %d)\n" : "}\nswatch %s\n", name, p->across, p->up);
+    text_print(text, end, name, p->across, p->up);
 }

@@ -12,4 +12,5 @@ libcharts_a_SOURCES = \
     charts/raster.c charts/raster.h \
     charts/row.c charts/row.h \
     charts/text.c charts/text.h \
+    charts/words.c charts/words.h \
     charts/written.c charts/written.h

@@ -8,6 +8,7 @@
 struct pattern {
     const struct grid *grid;        /* one repeat; K and P alone */
     int                across, up;  /* repeats, >= 1 each */
+    const char        *words;       /* the pattern as a script already; NULL: only the grid */
     const char        *remark;      /* what was taken for what, to be said; NULL: nothing */
 };
 

@@ -44,8 +44,11 @@ const struct command command_table[] = {
      "            tabs between them\n"
      "  .png      a pixel for each stitch, the top row first; black is knit, white is\n"
      "            purl, unless --key says what the colours mean\n"
-     "  .k        knitout: plain knit and purl with one yarn; a stitch of the front bed\n"
-     "            is knit, one of the back bed purl\n"
+     "  .k        knitout: plain knit and purl with one yarn; a stitch of the front\n"
+     "            bed is knit, one of the back bed purl\n"
+     "  .ks       written rows, as a knitter would read them; they stay as they are,\n"
+     "            behind a cast-on where they have none. Known in any file by a line\n"
+     "            that begins with Row 1, Rnd 1, 1st row, Cast on .. or the like\n"
      "  others    a line of the letters K and P for each row, the bottom row first,\n"
      "            blanks between them or not. Above them may stand \"# 4 2\": repeat\n"
      "            this four times up and two times across.\n"},

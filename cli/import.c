@@ -11,6 +11,7 @@
 #include "charts/knitout.h"
 #include "charts/kp.h"
 #include "charts/picture.h"
+#include "charts/words.h"
 #include "cli/command.h"
 #include "cli/deliver.h"
 #include "lang/limits.h"
@@ -26,7 +27,7 @@ struct import {
 };
 
 typedef struct pattern read_chart(struct import *import);
-static read_chart read_csv, read_png, read_kp, read_knitout;
+static read_chart read_csv, read_png, read_kp, read_knitout, read_words;
 
 /* What a chart is follows from its first bytes, else from its extension. */
 static const struct format {
@@ -39,22 +40,22 @@ static const struct format {
     {".k", knitout_is, "Knitout", read_knitout},
     {".knitout", knitout_is, "Knitout", read_knitout},
     {".csv", NULL, "A table of k and p", read_csv},
+    {".ks", words_is, "Written rows", read_words},
     {NULL, NULL, "A grid of K and P", read_kp},
 };
 
 static const struct format *find_format(const struct source *source)
 {
-    const struct format *format;
+    const struct format *known = NULL, *format;
     size_t n = strlen(source->name);
-    for (format = formats; format->extension; format++)
-        if (format->is && format->is(source))
-            return format;
     for (format = formats; format->extension; format++) {
         size_t m = strlen(format->extension);
-        if (n >= m && strcasecmp(source->name + n - m, format->extension) == 0)
-            break;
+        if (format->is && format->is(source))
+            return format;
+        if (!known && n >= m && strcasecmp(source->name + n - m, format->extension) == 0)
+            known = format;
     }
-    return format;
+    return known ? known : format;
 }
 
 static struct pattern read_knitout(struct import *import)
@@ -65,6 +66,11 @@ static struct pattern read_knitout(struct import *import)
 static struct pattern read_kp(struct import *import)
 {
     return kp_read(import->arena, &import->diag, import->source);
+}
+
+static struct pattern read_words(struct import *import)
+{
+    return words_read(import->arena, &import->diag, import->source);
 }
 
 static struct pattern read_csv(struct import *import)

@@ -170,6 +170,8 @@ static long long open_width(struct compilation *c, const struct body *body)
         diag_error(diag, CODE_EMPTY_MOTIF, body->first, "these rows have no stitch");
         return 0;
     }
+    if (c->options->least_width)
+        return fit.plus + fit.multiple * (fit.least > fit.plus ? (fit.least - fit.plus + fit.multiple - 1) / fit.multiple : 1);
     diag_error(diag, CODE_ROW_WIDTH, body->first, "how many stitches these rows are worked over is not said");
     if (fit.multiple > 1)
         diag_hint(diag, "begin with `Cast on %lld sts`, or another multiple of %lld + %lld",

@@ -41,6 +41,7 @@ struct compile_options {
     const char *const             *output;      /* (noutputs) -o: PATH or KIND:PATH, after the file's own */
     int                            noutputs;
     bool                           warnings_are_errors;
+    bool                           least_width;     /* rows at the top that say no width are one repeat wide */
 };
 
 /* A whole file, or standard input for "-".  NULL when it could not be read;
