@@ -73,6 +73,6 @@ wrong() {
 }
 wrong 'lace' 'Row 1 (RS): k1, *yo, k2tog; repeat from *, k1.' '^w.txt:1:18: error: .yo. (an increase).*E0302'
 wrong 'rows that do not go together' 'Row 1: *k2, p2; rep from *|Row 2: *k2, p2; rep from * to last st, k1' '^w.txt:2:[0-9]*: error: .*E03'
-wrong 'a title' 'My rib|Row 1: *k2, p2; rep from *' '^w.txt:1:1: error: .*E0107'
+wrong 'a row that is missing' 'Row 1: *k2, p2; rep from *|Row 4: purl' '^w.txt:2:1: error: .*E0306'
 
 finish
