@@ -11,7 +11,9 @@ const struct command command_table[] = {
      "Compiles FILE, folds its swatch and writes its outputs and those of -o. The\n"
      "kind of an output follows from its extension, or is named: KIND:PATH. An\n"
      "existing file is replaced only by a complete one. Ctrl-C stops the run and\n"
-     "keeps the growth steps that are complete. `weft FILE` is the same.\n"},
+     "keeps the growth steps that are complete. `weft FILE` is the same.\n"
+     "A manifest beside the outputs says how they were made; with --from such a\n"
+     "manifest the run is repeated elsewhere and its outputs are compared.\n"},
     {"check", "FILE...", 1, ANY_NUMBER, command_check, "check scripts, fold nothing",
      "Compiles each FILE, reports every error at its place and prints the size of\n"
      "the swatch.\n"},

@@ -1,6 +1,7 @@
 # Options and subcommands.
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = \
+    cli/build.c cli/build.h \
     cli/chart.c \
     cli/check.c \
     cli/command.c cli/command.h \
@@ -10,11 +11,13 @@ libcli_a_SOURCES = \
     cli/import.c \
     cli/interrupt.c cli/interrupt.h \
     cli/list.c \
+    cli/manifest.c cli/manifest.h \
     cli/options.c cli/options.h \
     cli/outputs.c cli/outputs.h \
     cli/params.c \
     cli/progress.c cli/progress.h \
-    cli/run.c \
+    cli/repeat.c cli/repeat.h \
+    cli/run.c cli/run.h \
     cli/script.c cli/script.h \
     cli/seeds.c cli/seeds.h \
     cli/streams.c cli/streams.h \

@@ -139,6 +139,9 @@ const struct option option_table[] = {
     {NULL, "--seeds", "N", "run", take_seeds, NULL, 0, "fold from N seeds, list all, keep the lowest"},
     {"-j", NULL, "N", "run", take_threads, NULL, 0, "threads (default: one a processor)"},
     {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
+    {NULL, "--no-manifest", NULL, "run", take_flag, NULL, offsetof(struct options, no_manifest), "no .manifest.json beside what is written"},
+    {NULL, "--from", "MANIFEST", "run", take_text, NULL, offsetof(struct options, from), "repeat that run, compare what it wrote"},
+    {NULL, "--into", "DIR", "run", take_text, NULL, offsetof(struct options, into), "with --from: keep what is written, in DIR"},
     {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},
     {NULL, "--key", "COLOURS", "import", take_text, NULL, offsetof(struct options, key), "what they mean: '#000000=k,#ffffff=p'"},
     {NULL, "--round", NULL, "write", take_flag, NULL, offsetof(struct options, round), "worked in the round"},
@@ -278,6 +281,10 @@ static enum status find_command(struct options *options)
         options->command = command_find(options->version ? "version" : "help");
         return STATUS_DONE;
     }
+    if (options->noperands == 0 && options->from) {
+        options->command = &command_table[0];
+        return STATUS_DONE;
+    }
     if (options->noperands == 0)
         return options_wrong(options, "nothing to do: a FILE or a COMMAND is wanted");
     const struct command *named = command_find(options->operand[0]);
@@ -303,7 +310,9 @@ static enum status check_command(const struct options *options, const struct par
     }
     if (options->help)
         return STATUS_DONE;
-    if (options->noperands < command->least)
+    if (options->into && !options->from)
+        return options_wrong(options, "--into goes with --from");
+    if (options->noperands < command->least && !options->from)
         return options_wrong(options, "%s wants a FILE", command->name);
     if (options->noperands > command->most)
         return options_wrong(options, "%s takes no further operand '%s'", command->name, options->operand[command->most]);
@@ -329,7 +338,7 @@ static void make_room(struct options *options, struct parse *parse)
 enum status options_parse(struct options *options, int argc, char **argv)
 {
     struct parse parse = {.argc = argc, .argv = argv};
-    *options = (struct options){.color = "auto", .diagnostics = "human"};
+    *options = (struct options){.color = "auto", .diagnostics = "human", .argc = argc, .argv = argv};
     make_room(options, &parse);
     enum status status = parse_words(options, &parse);
     if (status == STATUS_DONE)

@@ -39,6 +39,12 @@ struct options {
     const char *key;                    /* of a picture's colours, or NULL */
     const char *color;                  /* "auto", "always", "never" */
     const char *diagnostics;            /* "human", "json" */
+    const char *from;                   /* a manifest to repeat, or NULL */
+    const char *into;                   /* a folder for what is repeated, or NULL */
+    bool        no_manifest, resume;
+
+    int         argc;                   /* the words all of this was made of */
+    char      **argv;
 
     struct arena arena;                 /* owns all of the above that argv does not */
 };

@@ -124,7 +124,7 @@ static enum status check_path(struct outputs *outputs, const struct output *outp
 
 enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
 {
-    *outputs = (struct outputs){.scene = scene};
+    *outputs = (struct outputs){.scene = scene, .log.into = outputs->log.into};
     outputs->pvd = calloc((size_t)scene->noutputs + 1, sizeof *outputs->pvd);
     outputs->glb = calloc((size_t)scene->noutputs + 1, sizeof *outputs->glb);
     if (!outputs->pvd || !outputs->glb)

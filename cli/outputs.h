@@ -20,7 +20,7 @@ struct outputs {
 };
 
 /* Sees to it, before any work is done, that every output can be written: its
- * kind is there, its folder takes files.  Says on standard error what does not
+ * kind is there, its folder takes files.  log.into may be set before.  Says on standard error what does not
  * fit.  Free with outputs_end in any case. */
 enum status outputs_begin(struct outputs *outputs, const struct scene *scene);
 void        outputs_end(struct outputs *outputs);

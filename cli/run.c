@@ -3,30 +3,19 @@
  * on standard output out. */
 #include <config.h>
 
+#include "cli/run.h"
+
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/outputs.h"
-#include "cli/progress.h"
-#include "cli/script.h"
-#include "cli/seeds.h"
+#include "cli/manifest.h"
+#include "cli/repeat.h"
 #include "solver/forecast.h"
 #include "solver/sheet.h"
-
-/* One run, from the command line to its end. */
-struct run {
-    const struct options *options;
-    double                begun;        /* on progress_clock */
-    struct script         script;
-    struct outputs        outputs;
-    struct progress       progress;
-    struct seeds          seeds;        /* tried before the fold that is kept, if several were asked for */
-    uint64_t              seed;         /* of that fold */
-    struct fold_record    record;
-};
 
 /* ---- while it folds ---- */
 
@@ -70,10 +59,12 @@ static const struct {
     [FOLD_FAILED]          = {"failed", false},
 };
 
-static void print_files(const struct outputs *outputs)
+static void print_files(const struct run *run)
 {
+    const struct outputs *outputs = &run->outputs;
     const struct scene *scene = outputs->scene;
     const char *before = "wrote";
+    char *manifest = run->options->no_manifest ? NULL : manifest_path(scene, ".manifest.json");
     for (int i = 0; i < scene->noutputs; i++) {
         int steps = outputs_steps(outputs, i);
         if (!file_log_find(&outputs->log, scene->output[i].path))
@@ -83,6 +74,9 @@ static void print_files(const struct outputs *outputs)
             printf(" and its %d steps", steps);
         before = ",";
     }
+    if (manifest)
+        printf("; manifest %s", manifest);
+    free(manifest);
     printf("%s\n", scene->noutputs == 0 ? "nothing written: no output in the script, no -o" : "");
 }
 
@@ -103,15 +97,15 @@ static void print_summary(const struct run *run)
                "largest gradient %.2g; %d threads\n",
                r->kind, r->per_stitch, r->unknowns, r->method, r->iterations, r->evaluations, r->factorisations,
                r->gradient_max, r->threads);
-    print_files(&run->outputs);
+    print_files(run);
     printf("%.2f s\n", progress_clock() - run->begun);
 }
 
-static bool write_report(struct run *run)
+struct report run_report(const struct run *run)
 {
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
-    struct report report = {
+    return (struct report){
         .scene = run->script.scene,
         .record = &run->record,
         .source = run->script.source->text,
@@ -123,7 +117,12 @@ static bool write_report(struct run *run)
         .kept_seed = run->seed,
         .peak_bytes = usage.ru_maxrss * 1024,
     };
-    return outputs_report(&run->outputs, &report);
+}
+
+static bool write_records(struct run *run)
+{
+    struct report report = run_report(run);
+    return outputs_report(&run->outputs, &report) && (run->options->no_manifest || manifest_write(run));
 }
 
 /* A run that came to its end: good or bad is the solver's word. */
@@ -203,26 +202,41 @@ static enum status fold_and_write(struct run *run)
 
     written = written && !run->outputs.log.error && !interrupt_asked();
     bool folded = written && state && run->record.status != FOLD_FAILED;
-    written = written && (!folded || outputs_final(&run->outputs, state)) && write_report(run);
+    written = written && (!folded || outputs_final(&run->outputs, state)) && write_records(run);
     fold_free(state);
     sheet_free(sheet);
     return written ? finished(run) : stopped(run);
 }
 
+enum status run_script(struct run *run, const char *path)
+{
+    run->begun = progress_clock();
+    enum status status = script_load(&run->script, path, run->options);
+    run->outputs.log.into = run->into;
+    if (status == STATUS_DONE)
+        status = outputs_begin(&run->outputs, run->script.scene);
+    if (status == STATUS_DONE && run->options->dry_run)
+        print_plan(run->script.scene, run->options->seeds);
+    else if (status == STATUS_DONE)
+        status = fold_and_write(run);
+    return status;
+}
+
+void run_free(struct run *run)
+{
+    fold_record_free(&run->record);
+    seeds_free(&run->seeds);
+    if (run->script.scene)
+        outputs_end(&run->outputs);
+    script_free(&run->script);
+}
+
 enum status command_run(const struct options *options)
 {
-    struct run run = {.options = options, .begun = progress_clock()};
-    enum status status = script_load(&run.script, options->operand[0], options);
-    if (status == STATUS_DONE)
-        status = outputs_begin(&run.outputs, run.script.scene);
-    if (status == STATUS_DONE && options->dry_run)
-        print_plan(run.script.scene, options->seeds);
-    else if (status == STATUS_DONE)
-        status = fold_and_write(&run);
-    fold_record_free(&run.record);
-    seeds_free(&run.seeds);
-    if (run.script.scene)
-        outputs_end(&run.outputs);
-    script_free(&run.script);
+    if (options->from)
+        return repeat_run(options);
+    struct run run = {.options = options};
+    enum status status = run_script(&run, options->operand[0]);
+    run_free(&run);
     return status;
 }

@@ -4,9 +4,8 @@
 
 #include <stdio.h>
 
+#include "cli/build.h"
 #include "cli/command.h"
-#include "output/json.h"
-#include "output/report.h"
 
 enum status command_version(const struct options *options)
 {
@@ -15,9 +14,7 @@ enum status command_version(const struct options *options)
         return STATUS_DONE;
     }
     cJSON *root = cJSON_CreateObject();
-    json_text(root, "weft", PACKAGE_VERSION);
-    json_integer(root, "schema", REPORT_SCHEMA);
-    json_text(root, "compiler", __VERSION__);
+    build_describe(root);
     char *text = cJSON_Print(root);
     cJSON_Delete(root);
     if (!text)

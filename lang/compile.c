@@ -354,6 +354,22 @@ static void list_sweep(struct compilation *c)
 
 /* ---- the whole ---- */
 
+/* The files of the disk that took part, in the order they were read. */
+static void list_sources(struct eval *eval, struct scene *scene)
+{
+    struct scene_source *source;
+    int n = 0;
+
+    for (const struct module *m = eval->module; m; m = m->next)
+        n += m->folder != NULL;
+    source = arena_array(eval->arena, struct scene_source, (size_t)n);
+    scene->nsources = n;
+    scene->source = source;
+    for (const struct module *m = eval->module; m; m = m->next)
+        if (m->folder)
+            source[--n] = (struct scene_source){m->source->name, m->source->text, m->source->size};
+}
+
 static const struct scene *scene_of(struct compilation *c)
 {
     struct eval *eval = &c->eval;
@@ -377,6 +393,7 @@ static const struct scene *scene_of(struct compilation *c)
     scene->setting = setting;
     scene->naxes = c->naxes;
     scene->axis = c->axis;
+    list_sources(eval, scene);
     return scene;
 }
 

@@ -96,6 +96,13 @@ struct output {
     int              line;          /* of the script, 0 = command line */
 };
 
+/* A file the scene was made from. */
+struct scene_source {
+    const char *path;               /* as opened, "-" for standard input */
+    const char *text;
+    size_t      size;               /* bytes */
+};
+
 struct sweep_axis {
     const char   *param;
     int           npoints;
@@ -118,6 +125,8 @@ struct scene {
     const struct setting    *setting;       /* (nsettings), blocks' keys then params */
     int                      naxes;
     const struct sweep_axis *axis;          /* (naxes), the first varies slowest */
+    int                      nsources;
+    const struct scene_source *source;      /* (nsources), the script first, then the files it uses; none built in */
 };
 
 #endif

@@ -22,6 +22,7 @@ enum { BUFFER_SIZE = 1 << 16, PRINT_SIZE = 1000, UNFINISHED_MAX = 8 };
 struct file {
     struct file_log *log;
     char            *path;      /* as asked for; NULL: standard output */
+    char            *place;     /* where that is: another one for a log that has a folder */
     char            *target;    /* where it will stand, links followed; NULL: written directly */
     const char      *temporary; /* its name until then: a slot of unfinished */
     int              fd;        /* -1: goes nowhere */
@@ -98,18 +99,48 @@ bool file_is_plain(const char *path)
     return stat(path, &status) != 0 || S_ISREG(status.st_mode);
 }
 
+/* Adds a component to a place and makes the folder that stood there. */
+static void descend(char *place, const char *component, size_t length)
+{
+    size_t n = strlen(place);
+    mkdir(place, 0777);         /* what is wrong shows when the file is opened */
+    snprintf(place + n, length + 4, "/%.*s", (int)length, component);
+    if (strcmp(place + n, "/..") == 0)
+        memcpy(place + n, "/up", 3);
+}
+
+/* Where a path is for this log; in its folder nothing leads out of it.  NULL: out of memory. */
+static char *place_of(const struct file_log *log, const char *path)
+{
+    if (!log->into)
+        return strdup(path);
+    char *place = malloc(strlen(log->into) + 2 * strlen(path) + 8);
+    if (!place)
+        return NULL;
+    strcpy(place, log->into);
+    for (size_t length; *path; path += length) {
+        path += strspn(path, "/");
+        length = strcspn(path, "/");
+        if (length > 0 && !(length == 1 && *path == '.'))
+            descend(place, path, length);
+    }
+    return place;
+}
+
 static struct file *file_new(struct file_log *log, const char *path)
 {
     struct file *file = malloc(sizeof *file);
-    char *copy = path ? strdup(path) : NULL;
-    if (!file || (path && !copy)) {
+    char *copy = path ? strdup(path) : NULL, *place = path ? place_of(log, path) : NULL;
+    if (!file || (path && (!copy || !place))) {
         free(file);
         free(copy);
+        free(place);
         file_fail(log, "out of memory");
         return NULL;
     }
     file->log = log;
     file->path = copy;
+    file->place = place;
     file->target = NULL;
     file->temporary = NULL;
     file->fd = -1;
@@ -122,6 +153,7 @@ static struct file *file_new(struct file_log *log, const char *path)
 static void file_free(struct file *file)
 {
     free(file->path);
+    free(file->place);
     free(file->target);
     free(file);
 }
@@ -169,18 +201,18 @@ static int open_beside(struct file *file)
 static bool file_open(struct file *file)
 {
     struct stat status;
-    bool exists = stat(file->path, &status) == 0;
+    bool exists = stat(file->place, &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) {
         errno = EISDIR;
         return false;
     }
     if (exists && !S_ISREG(status.st_mode)) {
-        file->fd = open(file->path, O_WRONLY | O_CLOEXEC);
+        file->fd = open(file->place, O_WRONLY | O_CLOEXEC);
         return file->fd >= 0;
     }
-    if (exists && access(file->path, W_OK) != 0)
+    if (exists && access(file->place, W_OK) != 0)
         return false;
-    file->target = exists ? realpath(file->path, NULL) : strdup(file->path);
+    file->target = exists ? realpath(file->place, NULL) : strdup(file->place);
     if (!file->target)
         return false;
     file->fd = open_beside(file);
@@ -319,7 +351,7 @@ bool file_commit(struct file *file)
 bool file_check(struct file_log *log, const char *path)
 {
     struct stat status;
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
+    if (!log->into && stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
         if (access(path, W_OK) == 0)
             return true;
         explain(log, path, errno);
@@ -336,4 +368,14 @@ void file_hash(struct file *hasher, char sha256[FILE_HASH])
     flush(hasher);
     hash_text(&hasher->hash, sha256);
     file_free(hasher);
+}
+
+void file_hash_text(struct file_log *log, const void *text, size_t size, char sha256[FILE_HASH])
+{
+    struct file *hasher = file_hasher(log);
+    sha256[0] = '\0';
+    if (!hasher)
+        return;
+    file_write(hasher, text, size);
+    file_hash(hasher, sha256);
 }

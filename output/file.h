@@ -15,10 +15,12 @@ enum { FILE_HASH = 65 };        /* 64 hexadecimal digits and the end */
 struct file_entry {
     char *path;                 /* as asked for */
     char  sha256[FILE_HASH];
+    char  lasting[FILE_HASH];   /* of what does not differ from run to run; empty: all */
 };
 
 /* What a run has written, and what went wrong first.  Start with all zero. */
 struct file_log {
+    const char        *into;    /* a folder that all paths are taken to be in, with folders made as needed; NULL: as they are */
     int                nentries;
     struct file_entry *entry;   /* (nentries), in order of first commit; a file written again keeps its place */
     char              *error;   /* a sentence naming the file, or NULL */
@@ -69,5 +71,8 @@ void file_log_free(struct file_log *log);
 
 /* Ends a hasher: SHA-256 of its bytes, as hexadecimal digits. */
 void file_hash(struct file *hasher, char sha256[FILE_HASH]);
+
+/* SHA-256 of a text. */
+void file_hash_text(struct file_log *log, const void *text, size_t size, char sha256[FILE_HASH]);
 
 #endif

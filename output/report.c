@@ -174,13 +174,36 @@ static void add_seeds(cJSON *root, const struct report *report)
     }
 }
 
+void report_describe(cJSON *root, struct file_log *log, const struct report *report)
+{
+    add_scene(root, log, report);
+    add_parameters(root, report->scene);
+}
+
+/* Hash of what a repeated run must say again; takes the rest out of root. */
+static void hash_lasting(struct file_log *log, cJSON *root, char sha256[FILE_HASH])
+{
+    static const char *const passing[][2] = {
+        {NULL, "time"}, {NULL, "memory"}, {NULL, "outputs"}, {"scene", "file"}, {"solve", "threads"},
+    };
+    for (size_t i = 0; i < sizeof passing / sizeof passing[0]; i++)
+        cJSON_DeleteItemFromObject(passing[i][0] ? cJSON_GetObjectItem(root, passing[i][0]) : root, passing[i][1]);
+    char *text = cJSON_PrintUnformatted(root);
+    struct file *hasher = text ? file_hasher(log) : NULL;
+    if (hasher) {
+        file_write(hasher, text, strlen(text));
+        file_hash(hasher, sha256);
+    }
+    cJSON_free(text);
+}
+
 bool report_write(struct file_log *log, const char *path, const struct report *report)
 {
+    char lasting[FILE_HASH] = "";
     cJSON *root = cJSON_CreateObject();
     json_text(root, "weft", PACKAGE_VERSION);
     json_integer(root, "schema", REPORT_SCHEMA);
-    add_scene(root, log, report);
-    add_parameters(root, report->scene);
+    report_describe(root, log, report);
     add_discretisation(root, report->record);
     add_energy(root, report->record);
     add_solve(root, report);
@@ -190,6 +213,7 @@ bool report_write(struct file_log *log, const char *path, const struct report *r
     add_cost(root, report);
     add_outputs(root, log);
     char *text = cJSON_Print(root);
+    hash_lasting(log, root, lasting);
     cJSON_Delete(root);
     if (!text) {
         file_fail(log, "out of memory");
@@ -201,5 +225,8 @@ bool report_write(struct file_log *log, const char *path, const struct report *r
         file_print(file, "\n");
     }
     cJSON_free(text);
-    return file && file_commit(file);
+    if (!file || !file_commit(file))
+        return false;
+    memcpy(file_log_find(log, path)->lasting, lasting, sizeof lasting);
+    return true;
 }

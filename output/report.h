@@ -4,6 +4,8 @@
 #ifndef WEFT_REPORT_H
 #define WEFT_REPORT_H
 
+#include <cjson/cJSON.h>
+
 #include "lang/scene.h"
 #include "output/file.h"
 #include "solver/surface.h"
@@ -29,10 +31,15 @@ struct report {
     long                      peak_bytes;           /* of memory, the whole process */
 };
 
+/* Adds "scene" and "parameters", as the report has them, to an object. */
+void report_describe(cJSON *root, struct file_log *log, const struct report *report);
+
 /* Writes the report; its "outputs" are what log holds so far.  Every number
  * reads back exactly; a value that is not known (no error estimate, not finite)
  * is null.  Apart from "time" and "memory" the bytes depend only on the binary,
- * the script, the seed and the number of threads.  false: see log->error. */
+ * the script, the seed and the number of threads; the log's lasting hash is that
+ * of the report without these two, "outputs", the script's path and the number
+ * of threads.  false: see log->error. */
 bool report_write(struct file_log *log, const char *path, const struct report *report);
 
 #endif

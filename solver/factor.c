@@ -21,6 +21,7 @@
 #include <cholmod.h>
 #endif
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "solver/memory.h"
@@ -327,4 +328,11 @@ double factor_nonzeros(const struct factor *f)
 double factor_flops(const struct factor *f)
 {
     return f->piece[0].common.fl + (f->npieces > 1 ? f->piece[1].common.fl : 0);
+}
+
+void factor_version(char text[FACTOR_VERSION])
+{
+    int version[3] = {0};
+    cholmod_version(version);
+    snprintf(text, FACTOR_VERSION, "%d.%d.%d", version[0], version[1], version[2]);
 }

@@ -29,6 +29,10 @@ void factor_solve(struct factor *factor, const double *b, double *x);
 void factor_lower(struct factor *factor, const double *b, double *x);
 void factor_upper(struct factor *factor, const double *b, double *x);
 
+/* CHOLMOD's version: "3.0.14". */
+enum { FACTOR_VERSION = 48 };
+void factor_version(char text[FACTOR_VERSION]);
+
 /* Nonzeros of the factor and floating-point operations to make it. */
 double factor_nonzeros(const struct factor *factor);
 double factor_flops(const struct factor *factor);

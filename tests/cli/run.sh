@@ -19,10 +19,10 @@ exits 0 'every kind of output' "$WEFT" run "$work/rib.knit" -o "$work/all/x.pvd"
     -o "$work/all/z.obj" -o "$work/all/r.json" -o chart:"$work/all/c.txt" -j 1
 out 'says how it ended' ': converged'
 out 'says the energy' '^energy [0-9.]'
-out 'says what was written' '^wrote .*x.pvd and its 4 steps, .*y.vtp, .*z.obj, .*r.json, .*c.txt$'
+out 'says what was written' '^wrote .*x.pvd and its 4 steps, .*y.vtp, .*z.obj, .*r.json, .*c.txt; manifest .*r.manifest.json$'
 err 'says how far it is' '^growth 1.00 '
 check 'a few lines of progress' test "$(wc -l <"$work/err")" -le 10
-holds 'all that and no more is there' "$work/all" x.pvd x_00.vtp x_01.vtp x_02.vtp x_03.vtp y.vtp z.obj z.mtl r.json c.txt
+holds 'all that and no more is there' "$work/all" x.pvd x_00.vtp x_01.vtp x_02.vtp x_03.vtp y.vtp z.obj z.mtl r.json r.manifest.json c.txt
 check 'the report is JSON' value "$work/all/r.json" schema
 check 'of a fold that converged' test "$(value "$work/all/r.json" solve.status)" = converged
 check 'in three steps' test "$(value "$work/all/r.json" solve.growth_steps)" = 3
@@ -71,7 +71,7 @@ exits 2 'no step at all' "$WEFT" run "$work/rib.knit" --steps 0
 exits 2 'a method that is not there' "$WEFT" run "$work/rib.knit" --method magic
 exits 3 'an error in the script' sh -c 'echo "swatch nothing" | "$1" run -' - "$WEFT"
 exits 4 'a script that is not there' "$WEFT" "$work/none.knit"
-holds 'none of these wrote anything' "$work/set" r.json
+holds 'none of these wrote anything' "$work/set" r.json r.manifest.json
 
 # ---- outputs that cannot be written: said before any work ----
 
@@ -86,7 +86,7 @@ err 'is named' "there is no folder '.*/none'"
 exits 4 'a folder that is a file' "$WEFT" run "$work/rib.knit" -o "$work/rib.knit/x.vtp"
 mkdir "$work/folder.json"
 exits 4 'an output that is a folder' "$WEFT" run "$work/rib.knit" -o "$work/folder.json"
-holds 'and nothing was written' "$work/set" r.json
+holds 'and nothing was written' "$work/set" r.json r.manifest.json
 
 # ---- outputs that fail later ----
 
@@ -119,6 +119,6 @@ out 'says the size' '4 stitches x 3 rows, 3 growth steps'
 out 'guesses time and memory' '^about [0-9.]* s, [0-9.]* GB$'
 exits 0 'dry run of the run above' "$WEFT" run "$work/rib.knit" --dry-run -D n=8 --per-stitch 1
 out 'knows the unknowns' "^1 per stitch: $(value "$report" discretisation.unknowns) unknowns, $(value "$report" discretisation.elements) elements"
-holds 'writes nothing' "$work/set" r.json
+holds 'writes nothing' "$work/set" r.json r.manifest.json
 
 finish

@@ -24,7 +24,7 @@ check 'with their energies' test "$(value "$report" seeds.$((kept - 5)).energy)"
 check 'with their status' test "$(value "$report" seeds.0.status)" = converged
 check 'the report is of the kept one' test "$(value "$report" solve.seed)" = "$kept"
 check 'the setting stays the one in the file' test "$(value "$report" parameters.seed.value)" = 5
-holds 'the outputs are of one run' "$work/set" r.json x.pvd x_00.vtp x_01.vtp x_02.vtp
+holds 'the outputs are of one run' "$work/set" r.json r.manifest.json x.pvd x_00.vtp x_01.vtp x_02.vtp
 
 exits 0 'the kept seed alone' "$WEFT" run "$work/rib.knit" --seed "$kept" -q -j 1 -o "$work/one.vtp"
 check 'folds to the same bytes' cmp "$work/one.vtp" "$work/set/x_02.vtp"

@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * `weft run --from`: a manifest in; the run repeated, and whether every output
+ * came out the same. */
+#include <config.h>
+
+#include "cli/repeat.h"
+
+#include <errno.h>
+#include <ftw.h>
+#include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli/build.h"
+#include "cli/manifest.h"
+
+/* A manifest and what follows from it. */
+struct repeat {
+    const struct options *options;      /* those of --from */
+    cJSON                *root;
+    char                  folder[PATH_MAX];     /* the manifest's */
+    char                  into[PATH_MAX];
+    bool                  temporary;    /* into is ours to remove */
+    char                **argv;         /* the first run's words, then NULL */
+    int                   argc;
+    struct options        first;        /* made of them */
+};
+
+__attribute__((format(printf, 2, 3)))
+static enum status refuse(const struct repeat *r, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fprintf(stderr, "weft: %s: ", r->options->from);
+    vfprintf(stderr, format, arguments);
+    fprintf(stderr, "\n");
+    va_end(arguments);
+    return STATUS_FILES;
+}
+
+/* ---- the manifest ---- */
+
+static const char *text_of(const cJSON *object, const char *key)
+{
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+    return cJSON_IsString(item) ? item->valuestring : "";
+}
+
+static const cJSON *command_of(const struct repeat *r)
+{
+    return cJSON_GetObjectItemCaseSensitive(r->root, "command");
+}
+
+static enum status read_manifest(struct repeat *r)
+{
+    struct arena arena = {0};
+    const char *why = "";
+    const struct source *source = source_read(&arena, r->options->from, &why);
+    r->root = source ? cJSON_ParseWithLength(source->text, source->size) : NULL;
+    bool read = source;
+    arena_free(&arena);
+    if (!read)
+        return refuse(r, "cannot be read: %s", why);
+    const cJSON *schema = cJSON_GetObjectItemCaseSensitive(r->root, "manifest");
+    if (!cJSON_IsNumber(schema) || !cJSON_IsArray(cJSON_GetObjectItemCaseSensitive(command_of(r), "arguments")))
+        return refuse(r, "this is no manifest of weft");
+    if (schema->valueint != MANIFEST_SCHEMA)
+        return refuse(r, "this manifest is of another form (%d) than this weft reads (%d)", schema->valueint, MANIFEST_SCHEMA);
+    return STATUS_DONE;
+}
+
+/* Another program need not give the same bytes: said, not refused. */
+static void compare_program(const struct repeat *r)
+{
+    struct file_log log = {0};
+    char sha256[FILE_HASH];
+    build_hash(&log, sha256);
+    if (strcmp(text_of(r->root, "binary_sha256"), sha256) != 0)
+        fprintf(stderr, "weft: note: made by another build (weft %s, compiler %s) than this one; bytes may differ\n",
+                text_of(r->root, "weft"), text_of(r->root, "compiler"));
+    file_log_free(&log);
+}
+
+/* The first run's command line; its words stay the manifest's. */
+static enum status read_command(struct repeat *r)
+{
+    const cJSON *arguments = cJSON_GetObjectItemCaseSensitive(command_of(r), "arguments"), *word;
+    r->argv = calloc((size_t)cJSON_GetArraySize(arguments) + 2, sizeof *r->argv);
+    if (!r->argv)
+        return refuse(r, "out of memory");
+    r->argv[r->argc++] = r->options->argv[0];
+    cJSON_ArrayForEach(word, arguments) {
+        if (!cJSON_IsString(word))
+            return refuse(r, "its command is damaged");
+        r->argv[r->argc++] = word->valuestring;
+    }
+    enum status status = options_parse(&r->first, r->argc, r->argv);
+    if (status != STATUS_DONE || r->first.noperands != 1 || r->first.from)
+        return refuse(r, "its command is damaged");
+    const cJSON *threads = cJSON_GetObjectItemCaseSensitive(command_of(r), "threads");
+    r->first.threads = r->options->threads ? r->options->threads : cJSON_IsNumber(threads) ? threads->valueint : 0;
+    r->first.quiet = true;
+    r->first.no_manifest = true;
+    r->first.resume = false;
+    return STATUS_DONE;
+}
+
+/* ---- folders ---- */
+
+/* The folder to write into, made now, while relative paths are still the user's. */
+static enum status make_into(struct repeat *r)
+{
+    const char *parent = getenv("TMPDIR");
+    if (r->options->into) {
+        if ((mkdir(r->options->into, 0777) != 0 && errno != EEXIST) || !realpath(r->options->into, r->into))
+            return refuse(r, "cannot write into '%s': %s", r->options->into, strerror(errno));
+        return STATUS_DONE;
+    }
+    snprintf(r->into, sizeof r->into, "%s/weft-XXXXXX", parent && *parent == '/' ? parent : P_tmpdir);
+    r->temporary = mkdtemp(r->into);
+    return r->temporary ? STATUS_DONE : refuse(r, "cannot write into '%s': %s", r->into, strerror(errno));
+}
+
+static int remove_one(const char *path, const struct stat *status, int kind, struct FTW *place)
+{
+    (void)status, (void)kind, (void)place;
+    return remove(path);
+}
+
+/* Goes to where the script is: --from FILE's own word, the first run's folder, the manifest's. */
+static enum status find_script(struct repeat *r, const char **script)
+{
+    const char *path = r->first.operand[0], *slash = strrchr(path, '/'), *folder = text_of(command_of(r), "folder");
+    char manifest[PATH_MAX], *end;
+    if (r->options->noperands > 0) {
+        *script = r->options->operand[0];
+        return STATUS_DONE;
+    }
+    if (!realpath(r->options->from, manifest))
+        return refuse(r, "cannot be found again");
+    end = strrchr(manifest, '/');
+    end[end == manifest] = '\0';
+    *script = path;
+    if (chdir(manifest) == 0 && chdir(folder) == 0 && access(path, R_OK) == 0)
+        return STATUS_DONE;
+    *script = slash ? slash + 1 : path;
+    if (chdir(manifest) == 0 && access(*script, R_OK) == 0)
+        return STATUS_DONE;
+    return refuse(r, "its script '%s' is neither where it was nor beside the manifest; name it: weft run --from %s FILE",
+                  path, r->options->from);
+}
+
+/* Is every file the scene is made of the one of the first run? */
+static enum status compare_sources(const struct repeat *r, const char *script)
+{
+    struct script now;
+    struct file_log log = {0};
+    enum status status = script_load(&now, script, &r->first);
+    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->root, "sources");
+    if (status == STATUS_DONE && now.scene->nsources != cJSON_GetArraySize(sources))
+        status = refuse(r, "its script uses other files now");
+    for (int i = 0; status == STATUS_DONE && i < now.scene->nsources; i++) {
+        const struct scene_source *s = &now.scene->source[i];
+        char sha256[FILE_HASH];
+        file_hash_text(&log, s->text, s->size, sha256);
+        if (strcmp(sha256, text_of(cJSON_GetArrayItem(sources, i), "sha256")) != 0)
+            status = refuse(r, "'%s' is not the file the run was made with: its SHA-256 differs", s->path);
+    }
+    file_log_free(&log);
+    script_free(&now);
+    return status;
+}
+
+/* ---- the comparison ---- */
+
+static bool is_same(const cJSON *output, const struct file_entry *entry)
+{
+    const char *lasting = text_of(output, "lasting_sha256");
+    return *lasting ? strcmp(entry->lasting, lasting) == 0 : strcmp(entry->sha256, text_of(output, "sha256")) == 0;
+}
+
+/* Says of every output whether it is the same. */
+static enum status compare_outputs(const struct repeat *r, const struct file_log *log)
+{
+    const cJSON *outputs = cJSON_GetObjectItemCaseSensitive(r->root, "outputs"), *output;
+    int n = cJSON_GetArraySize(outputs), same = 0;
+    cJSON_ArrayForEach(output, outputs) {
+        const char *path = text_of(output, "path");
+        const struct file_entry *entry = file_log_find(log, path);
+        bool equal = entry && is_same(output, entry);
+        same += equal;
+        if (!equal)
+            printf("%s: %s\n", path, entry ? "differs" : "was not written");
+        else if (!r->options->quiet)
+            printf("%s: the same%s\n", path, entry->lasting[0] ? ", but for time, memory, path and threads" : "");
+    }
+    if (same == n)
+        printf("all %d outputs are identical\n", n);
+    else
+        printf("%d of %d outputs are identical\n", same, n);
+    return same == n ? STATUS_DONE : STATUS_FAILED;
+}
+
+static enum status run_again(const struct repeat *r, const char *script)
+{
+    struct run run = {.options = &r->first, .into = r->into};
+    enum status status = run_script(&run, script);
+    if (status == STATUS_DONE || status == STATUS_FAILED)
+        status = compare_outputs(r, &run.outputs.log);
+    run_free(&run);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+enum status repeat_run(const struct options *options)
+{
+    struct repeat r = {.options = options};
+    const char *script = NULL;
+    enum status status = read_manifest(&r);
+    if (status == STATUS_DONE)
+        status = read_command(&r);
+    if (status == STATUS_DONE)
+        status = make_into(&r);
+    if (status == STATUS_DONE)
+        status = find_script(&r, &script);
+    if (status == STATUS_DONE && *text_of(command_of(&r), "weft_path"))
+        setenv("WEFT_PATH", text_of(command_of(&r), "weft_path"), 1);
+    if (status == STATUS_DONE)
+        status = compare_sources(&r, script);
+    if (status == STATUS_DONE) {
+        compare_program(&r);
+        status = run_again(&r, script);
+    }
+    if (r.temporary)
+        nftw(r.into, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    options_free(&r.first);
+    free(r.argv);
+    cJSON_Delete(r.root);
+    return status;
+}
