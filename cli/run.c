@@ -167,7 +167,7 @@ static void print_plan(const struct scene *scene, int seeds)
         printf("%d seeds\n", seeds);
         forecast.seconds *= seeds + 1;
     }
-    printf("about %.*f s, %.2f GB\n", forecast.seconds < 10, forecast.seconds, forecast.bytes / 1e9);
+    printf(forecast.seconds < 10 ? "about %.2g s, %.2g GB\n" : "about %.0f s, %.2g GB\n", forecast.seconds, forecast.bytes / 1e9);
     for (int i = 0; i < scene->noutputs; i++)
         printf("%s %s", i == 0 ? "would write" : ",", scene->output[i].path);
     printf("%s", scene->noutputs > 0 ? "\n" : "");

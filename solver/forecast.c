@@ -4,45 +4,80 @@
 #include "solver/forecast.h"
 
 #include "solver/factor.h"
+#include "solver/fold.h"
 #include "solver/levels.h"
 #include "solver/sheet.h"
 
 /* Costs, measured on two cores of 2020s make; and how often each is paid. */
 static const double FLOP = 1 / 1.5e10;          /* s, of a factorisation */
 static const double NONZERO = 1.5e-9;           /* s, of a factor, per iteration */
+static const double ENTRY = 1e-9;               /* s, of a Hessian, per conjugate step */
 static const double ELEMENT = 1e-6;             /* s, per iteration */
 static const double ASSEMBLE = 1.2e-5;          /* s, an element, per factorisation */
 static const double KEPT = 2.6;                 /* times a factor and its pattern */
 static const double PROGRAM = 15e6;             /* bytes */
-enum { GROWTH_ITERATIONS = 30, GROWTH_FACTORS = 2, LEVEL_ITERATIONS = 60, LEVEL_FACTORS = 5 };
+enum { FIRST_ITERATIONS = 90, FIRST_FACTORS = 5, GROWTH_ITERATIONS = 20, GROWTH_FACTORS = 2 };
+enum { LEVEL_ITERATIONS = 60, LEVEL_FACTORS = 5 };
+enum { NEWTON_STEPS = 14, CONJUGATE_STEPS = 25 };   /* of a level too large to factor, and of each step there */
+enum { NEXT_LEVEL = 4 };                            /* times as many unknowns */
 
-/* Adds a level on which so many iterations and factorisations are made. */
-static void add_level(struct forecast *f, const struct discretisation *d, double iterations, double factors)
+/* The last level that was factored. */
+struct factored {
+    double nonzeros, flops, bytes;
+};
+
+static double hessian_entries(const struct discretisation *d)
 {
+    return d->pattern.start[d->n];
+}
+
+/* A level that is factored, on which so many iterations and factorisations are made. */
+static struct factored add_level(struct forecast *f, const struct discretisation *d, double iterations, double factors)
+{
+    struct factored own = {0};
     struct factor *factor = factor_make(&d->pattern, d->ordered, d->parts, d->threads);
-    double nonzeros = factor ? factor_nonzeros(factor) : 0, flops = factor ? factor_flops(factor) : 0;
-    if (factor)
+    if (factor) {
+        own.nonzeros = factor_nonzeros(factor);
+        own.flops = factor_flops(factor);
         factor_free(factor);
-    f->per_stitch = d->per_stitch;
-    f->unknowns = d->n;
-    f->elements = d->elements;
-    f->seconds += iterations * (nonzeros * NONZERO + (double)d->elements * ELEMENT);
-    f->seconds += factors * (flops * FLOP + (double)d->elements * ASSEMBLE);
-    f->bytes = PROGRAM + KEPT * (nonzeros * sizeof(double) + d->pattern.start[d->n] * (sizeof(double) + sizeof(int)));
+    }
+    own.bytes = KEPT * (own.nonzeros * sizeof(double) + hessian_entries(d) * (sizeof(double) + sizeof(int)));
+    f->seconds += iterations * (own.nonzeros * NONZERO + (double)d->elements * ELEMENT);
+    f->seconds += factors * (own.flops * FLOP + (double)d->elements * ASSEMBLE);
+    f->bytes = PROGRAM + own.bytes;
+    return own;
+}
+
+/* A level too large for that: conjugate gradients with the last factor; the most
+ * memory goes into the Hessian of the next level, for the error estimate. */
+static void add_conjugate_level(struct forecast *f, const struct discretisation *d, const struct factored *coarse)
+{
+    double step = hessian_entries(d) * ENTRY + coarse->nonzeros * NONZERO;
+    double unknown = (double)d->block * sizeof(double);
+    f->seconds += NEWTON_STEPS * (coarse->flops * FLOP + (double)d->elements * ASSEMBLE + CONJUGATE_STEPS * step);
+    f->bytes = PROGRAM + coarse->bytes +
+               (1 + NEXT_LEVEL) * (hessian_entries(d) * (sizeof(double) + sizeof(int)) + d->n * unknown);
 }
 
 struct forecast forecast_fold(const struct sheet *sheet)
 {
     struct forecast forecast = {0};
     struct discretisation *d = levels_first(sheet, 1);
-    double steps = sheet->solve.steps;
-    add_level(&forecast, d, steps * GROWTH_ITERATIONS, steps * GROWTH_FACTORS);
+    double more = sheet->solve.steps - 1;
+    struct factored last = add_level(&forecast, d, FIRST_ITERATIONS + more * GROWTH_ITERATIONS,
+                                     FIRST_FACTORS + more * GROWTH_FACTORS);
     while (levels_passing(d)) {
         struct discretisation *finer = levels_next(d, 1);
         d->op->free(d);
         d = finer;
-        add_level(&forecast, d, LEVEL_ITERATIONS, LEVEL_FACTORS);
+        if (d->n > FOLD_MOST_FACTORED && d->op->restrict_hessian)
+            add_conjugate_level(&forecast, d, &last);
+        else
+            last = add_level(&forecast, d, LEVEL_ITERATIONS, LEVEL_FACTORS);
     }
+    forecast.per_stitch = d->per_stitch;
+    forecast.unknowns = d->n;
+    forecast.elements = d->elements;
     d->op->free(d);
     return forecast;
 }
