@@ -374,8 +374,10 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     const struct again *again = &stmt->again;
     struct labels labels = {0};
     long long n = 0, last;
-    int end = rows_last_label(body->rows);
+    int end;
 
+    rows_work(body->rows);
+    end = rows_last_label(body->rows);
     if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
         return false;
     if (!evaluate_labels(eval, where, again->numbers, &labels))

@@ -42,6 +42,7 @@ struct compile_options {
     int                            noutputs;
     bool                           warnings_are_errors;
     bool                           least_width;     /* rows at the top that say no width are one repeat wide */
+    long long                      work;        /* steps and stitches at most; 0: as limits.h has them */
 };
 
 /* A whole file, or standard input for "-".  NULL when it could not be read;

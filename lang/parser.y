@@ -472,6 +472,7 @@ position:
 times:
   count TIMES                           { $$ = (struct until){UNTIL_TIMES, $count, @$}; }
 | count MORE TIMES                      { $$ = (struct until){UNTIL_MORE, $count, @$}; }
+| count TIMES MORE                      { $$ = (struct until){UNTIL_MORE, $count, @$}; }
 | CROSS count                           { $$ = (struct until){UNTIL_TIMES, $count, @$}; }
 | TWICE                                 { $$ = (struct until){UNTIL_TIMES, expr_number(parse, @1, $1.value, 0), @$}; }
 | TWICE MORE                            { $$ = (struct until){UNTIL_MORE, expr_number(parse, @1, $1.value, 0), @$}; }
@@ -501,6 +502,7 @@ again:
 | FOR_PATTERN                           { $$ = (struct again){.kind = AGAIN_PATTERN, .pattern = true}; }
 | count TIMES                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | count MORE TIMES                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
+| count TIMES MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | TWICE                                 { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
 | TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
 | ',' count TIMES                       { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }

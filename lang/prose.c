@@ -222,10 +222,23 @@ bool prose_reads(const char *text, bool loose)
            (count_words(text) > 1 || line_has(text, ":!"));
 }
 
+/* "22 sts", "4 rows": more than a title says. */
+static bool has_count(const char *text)
+{
+    static const char *const word[] = {"st", "sts", "stitch", "stitches", "row", "rows", "round", "rounds", "times"};
+    size_t n = line_length(text);
+
+    for (size_t i = 0; i < n; i++)
+        if (isdigit((unsigned char)text[i]) && is_one_of(skip_blanks(text + i + 1), word, sizeof word / sizeof *word))
+            return true;
+    return false;
+}
+
 bool prose_is_title(const char *text)
 {
-    return !line_has(text, "{}[]\"=<>*|()0123456789") && !is_mistyped(text) && !syntax_is_row(text) &&
-           word_length(text) > 0 && count_words(text) <= TITLE_WORDS;
+    return !line_has(text, "{}[]\"=<>*|") && !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) &&
+           !has_call(text) && !has_count(text) && count_words(text) > 0 && count_words(text) <= TITLE_WORDS &&
+           (word_length(text) > 0 || count_words(text) > 1);
 }
 
 /* ---- in the scanner ---- */

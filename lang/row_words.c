@@ -118,7 +118,7 @@ static void put_stitch(struct writer *w, const struct item *item, bool alone, bo
 
 static void put_group(struct writer *w, const struct item *item)
 {
-    char open = item->span.source->text[item->span.start];
+    char first = item->span.source->text[item->span.start], open = first == '(' || first == '[' ? first : '*';
     bool total = item->kind == ITEM_STARS && item->until.kind == UNTIL_TIMES;
 
     PUT("%c", open);

@@ -253,7 +253,7 @@ static void flush(struct row_list *list)
     find_start(list);
     if (!n && !list->norder)
         n = filler_for(list, 1, list->round ? SIDE_RS : SIDE_OPEN) ? 1 : 2;
-    else if ((list->norder + n) % 2 && filler_for(list, list->first + n, side_of(list, list->norder + n)))
+    else if (n && (list->norder + n) % 2 && filler_for(list, list->first + n, side_of(list, list->norder + n)))
         n++;
     for (int i = 0; i < n && !list->failed; i++) {
         int label = list->first + i;
@@ -281,6 +281,11 @@ static void flush(struct row_list *list)
         list->pending[i] = NULL;
     list->first = list->last_label + 1;
     list->npending = 0;
+}
+
+void rows_work(struct row_list *list)
+{
+    flush(list);
 }
 
 void rows_set_up(struct row_list *list, struct row_text *text)

@@ -63,6 +63,9 @@ bool rows_any(const struct row_list *);
 /* Adds a text at the row numbers given (n of them; none: the next row). */
 void rows_add(struct row_list *, struct row_text *, const int *label, int n);
 
+/* Works the rows given so far. */
+void rows_work(struct row_list *);
+
 /* Works a row before row 1, which has no number. */
 void rows_set_up(struct row_list *, struct row_text *);
 

@@ -5,3 +5,4 @@ include tests/output/local.mk
 include tests/charts/local.mk
 include tests/cli/local.mk
 include tests/stress/local.mk
+include tests/fuzz/local.mk

@@ -5,6 +5,7 @@ golden_tests = \
     tests/golden/test_library.sh \
     tests/golden/test_limits.sh \
     tests/golden/test_motifs.sh \
+    tests/golden/test_pasted.sh \
     tests/golden/test_rows.sh \
     tests/golden/test_stitches.sh
 check_SCRIPTS += $(golden_tests)
@@ -28,7 +29,7 @@ tests_golden_test_compile_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_golden_test_compile_LDADD = liblang.a $(CMOCKA_LIBS)
 endif
 
-EXTRA_DIST += $(golden_tests) tests/golden/dump.sh \
+EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/stitches.txt \
     tests/golden/binary_file.knit \
     tests/golden/blocks.knit \

@@ -1,0 +1,41 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the fuzzers begin with: seeds.sh FOLDER makes FOLDER/script, FOLDER/kp ..
+# from the examples, the library and the tests' own inputs.
+set -eu
+weft=${WEFT:-./weft} source=${WEFT_SOURCE:-.}
+for target in script format kp csv knitout png; do
+    mkdir -p "$1/$target"
+    for file in "$source"/tests/fuzz/found/"$target"-*; do
+        [ ! -e "$file" ] || cp "$file" "$1/$target/"
+    done
+done
+for file in "$source"/examples/*.knit "$source"/stdlib/*.knit "$source"/tests/golden/*.knit \
+    "$source"/tests/golden/pasted/*.knit "$source"/tests/format/*.knit; do
+    [ -f "$file" ] || continue
+    name=$(basename "$(dirname "$file")")-$(basename "$file" .knit)
+    cp "$file" "$1/script/$name"
+    cp "$file" "$1/format/$name"
+done
+
+# Every one-line program of the shell tests.
+sed -n "s/^\(grid\|size\|wrong E[0-9]*\) '\([^']*\)'.*/\2/p" "$source"/tests/golden/test_*.sh | {
+    n=0
+    while IFS= read -r line; do
+        n=$((n + 1))
+        printf '%s\n' "$line" | tr '|' '\n' >"$1/script/line-$n"
+    done
+}
+
+# Small charts, as every format writes them.
+for name in seed_even flag basketweave diagonal_check box waffle; do
+    "$weft" list "$name" >/dev/null 2>&1 || continue
+    printf 'use %s from std\nswatch %s\n' "$name" "$name" >"$1/chart.knit"
+    "$weft" chart --grid "$1/chart.knit" >"$1/kp/$name"
+    for kind in csv:csv k:knitout png:png; do
+        "$weft" chart -q "$1/chart.knit" -o "$1/chart.${kind%:*}" 2>/dev/null &&
+            mv "$1/chart.${kind%:*}" "$1/${kind#*:}/$name" || :
+    done
+done
+printf '# 2 3\nKP\nPK\n' >"$1/kp/header"
+rm -f "$1/chart.knit"
