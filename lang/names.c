@@ -9,6 +9,7 @@
 struct name_entry {
     struct name_entry *next;
     size_t length;
+    unsigned hash;
     const char *text;
 };
 
@@ -22,18 +23,37 @@ static unsigned hash_of(const char *text, size_t length)
     return hash;
 }
 
+/* Twice the buckets, and every name in its new one. */
+static void grow(struct names *names)
+{
+    size_t larger = names->nbuckets ? 2 * names->nbuckets : 1024;
+    struct name_entry **bucket = arena_array(names->arena, struct name_entry *, larger);
+
+    for (size_t i = 0; i < names->nbuckets; i++)
+        for (struct name_entry *entry = names->bucket[i], *next; entry; entry = next) {
+            next = entry->next;
+            entry->next = bucket[entry->hash % larger];
+            bucket[entry->hash % larger] = entry;
+        }
+    names->bucket = bucket;
+    names->nbuckets = larger;
+}
+
 const char *names_intern(struct names *names, const char *text, size_t length)
 {
-    size_t nbuckets = sizeof names->bucket / sizeof *names->bucket;
-    struct name_entry **bucket = &names->bucket[hash_of(text, length) % nbuckets];
-    struct name_entry *entry;
+    unsigned hash = hash_of(text, length);
+    struct name_entry **bucket, *entry;
 
+    if (names->n == names->nbuckets)
+        grow(names);
+    bucket = &names->bucket[hash % names->nbuckets];
     for (entry = *bucket; entry; entry = entry->next)
         if (entry->length == length && memcmp(entry->text, text, length) == 0)
             return entry->text;
     entry = arena_new(names->arena, struct name_entry);
-    *entry = (struct name_entry){*bucket, length, arena_copy(names->arena, text, length)};
+    *entry = (struct name_entry){*bucket, length, hash, arena_copy(names->arena, text, length)};
     *bucket = entry;
+    names->n++;
     return entry->text;
 }
 

@@ -10,8 +10,9 @@
 struct name_entry;
 
 struct names {
-    struct arena      *arena;
-    struct name_entry *bucket[1024];
+    struct arena       *arena;
+    struct name_entry **bucket;         /* (nbuckets), as many as names or more */
+    size_t              nbuckets, n;
 };
 
 /* The one pointer that stands for this text; compare with ==. */
