@@ -14,6 +14,7 @@
 #include "charts/words.h"
 #include "cli/command.h"
 #include "cli/deliver.h"
+#include "cli/import.h"
 #include "lang/limits.h"
 
 /* ---- what can be read ---- */
@@ -81,6 +82,37 @@ static struct pattern read_csv(struct import *import)
 static struct pattern read_png(struct import *import)
 {
     return picture_read(import->arena, &import->diag, import->source, import->key);
+}
+
+/* ---- in a script ---- */
+
+/* Is the first line that is no comment one of K and P? */
+static bool begins_with_stitches(const struct source *source)
+{
+    const char *text = source->text;
+    while (*text == '#' || *text == '\n' || *text == '\r')
+        text += *text == '#' ? strcspn(text, "\r\n") : 1;
+    size_t n = strspn(text, "KPkp \t");
+    return n > 0 && strpbrk(text, "KPkp") < text + n && strchr("\r\n", text[n]);
+}
+
+bool import_chart(struct arena *arena, struct diag *diag, const struct source *source, const struct grid **grid)
+{
+    struct import import = {.source = source, .arena = arena};
+    const struct format *format = find_format(source);
+    if (!format->extension && !begins_with_stitches(source))
+        return false;
+    int errors = diag->nerrors;
+    import.diag = *diag;
+    struct pattern pattern = source->size <= LIMIT_FILE ? format->read(&import) : (struct pattern){0};
+    *diag = import.diag;
+    *grid = NULL;
+    if (source->size > LIMIT_FILE)
+        diag_error(diag, CODE_LIMIT_FILE, (struct span){source, 0, 0}, "the file is longer than %d bytes", LIMIT_FILE);
+    else if (pattern.grid && diag->nerrors == errors && pattern.grid->columns <= LIMIT_STITCHES / pattern.across &&
+             pattern.grid->rows <= LIMIT_ROWS / pattern.up)
+        *grid = grid_tile(arena, pattern.grid, pattern.across, pattern.up);
+    return true;
 }
 
 /* ---- the command ---- */

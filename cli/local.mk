@@ -8,7 +8,7 @@ libcli_a_SOURCES = \
     cli/deliver.c cli/deliver.h \
     cli/fmt.c \
     cli/help.c \
-    cli/import.c \
+    cli/import.c cli/import.h \
     cli/interrupt.c cli/interrupt.h \
     cli/list.c \
     cli/manifest.c cli/manifest.h \

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "cli/command.h"
+#include "cli/import.h"
 #include "lang/names.h"
 
 enum { THREADS_MAX = 1024, SEEDS_MAX = 1000 };
@@ -361,6 +362,7 @@ struct compile_options options_compile(const struct options *o)
         .include = o->include, .nincludes = o->nincludes,
         .output = o->output,   .noutputs = o->noutputs,
         .warnings_are_errors = o->warnings,
+        .chart = import_chart,
     };
 }
 

@@ -429,6 +429,7 @@ const struct scene *scene_compile(struct arena *arena, struct diag *diag, const 
     c->options = options ? options : &none;
     diag->warnings_are_errors = c->options->warnings_are_errors;
     eval_init(&c->eval, arena, diag);
+    c->eval.chart = c->options->chart;
     if (c->options->work) {
         c->eval.steps = LIMIT_STEPS - c->options->work;
         c->eval.cells = LIMIT_ALL_STITCHES - c->options->work;

@@ -31,6 +31,10 @@ struct compile_override {
     const char *name, *value;
 };
 
+/* Reads a chart file that a script uses.  False: it is no chart, but a script.
+ * Else *grid is all that it shows, NULL after an error, which is in diag. */
+typedef bool compile_chart(struct arena *, struct diag *, const struct source *, const struct grid **grid);
+
 struct compile_options {
     const struct compile_override *define;      /* (ndefines) params */
     int                            ndefines;
@@ -41,6 +45,7 @@ struct compile_options {
     const char *const             *output;      /* (noutputs) -o: PATH or KIND:PATH, after the file's own */
     int                            noutputs;
     bool                           warnings_are_errors;
+    compile_chart                 *chart;       /* reads `use "x.csv"`; NULL: every file is a script */
     bool                           least_width;     /* rows at the top that say no width are one repeat wide */
     long long                      work;        /* steps and stitches at most; 0: as limits.h has them */
 };

@@ -115,6 +115,7 @@ struct eval {
     struct module      *main;
     const char *const  *include;        /* folders to look in */
     int                 nincludes, include_depth;
+    compile_chart      *chart;          /* reads chart files that are used, or NULL */
     int                 nstitches;
     struct stitch       stitch[STITCH_MAX];
     stitch_id           ws[STITCH_MAX + 1];

@@ -151,7 +151,52 @@ static struct module *load_for(struct eval *eval, struct span used, const struct
     return module;
 }
 
-/* The file a `use` names, parsed and with its own names declared. */
+/* `"charts/diamond.csv"` without `as`: diamond. */
+static struct name_at chart_name(struct eval *eval, const struct stmt *stmt)
+{
+    const char *slash = strrchr(stmt->use.file, '/'), *stem = slash ? slash + 1 : stmt->use.file;
+    size_t n = strspn(stem, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+
+    if (stmt->use.as.name)
+        return stmt->use.as;
+    if (n && n <= LIMIT_NAME && stem[n] == '.' && !(*stem >= '0' && *stem <= '9'))
+        return (struct name_at){names_intern(eval->names, stem, n), stmt->use.file_span, NULL};
+    diag_error(eval->diag, CODE_USE, stmt->use.file_span, "the chart needs a name");
+    diag_hint(eval->diag, "`use \"%s\" as NAME`", stmt->use.file);
+    return (struct name_at){0};
+}
+
+/* A chart file gives one fabric. True if it was one. */
+static bool use_chart(struct eval *eval, struct module *user, const struct stmt *stmt, const struct source *source)
+{
+    struct context context = {stmt->span, "in a chart used here", eval->diag->context};
+    const struct grid *grid = NULL;
+    struct binding *binding;
+    struct name_at name;
+    bool is_chart;
+
+    eval->diag->context = &context;
+    is_chart = eval->chart && eval->chart(eval->arena, eval->diag, source, &grid);
+    eval->diag->context = context.up;
+    if (!is_chart)
+        return false;
+    if (stmt->use.names) {
+        diag_error(eval->diag, CODE_USE, stmt->use.names->span, "a chart file has no names to choose from");
+        diag_hint(eval->diag, "`use \"%s\" as %s`", stmt->use.file, stmt->use.names->name);
+        return true;
+    }
+    if (!grid || !fabric_size(eval, stmt->use.file_span, grid->columns, grid->rows))
+        return true;
+    name = chart_name(eval, stmt);
+    binding = name.name ? declare(eval, user, BINDING_LET, name.name, name.span) : NULL;
+    if (binding) {
+        binding->state = DONE;
+        binding->value = value_grid(grid);
+    }
+    return true;
+}
+
+/* The file a `use` names, parsed and with its own names declared; NULL also for a chart. */
 static struct module *used_module(struct eval *eval, struct module *user, const struct stmt *stmt)
 {
     const struct source *source;
@@ -163,6 +208,8 @@ static struct module *used_module(struct eval *eval, struct module *user, const 
         not_found(eval, stmt, user);
         return NULL;
     }
+    if (use_chart(eval, user, stmt, source))
+        return NULL;
     key = key_of(eval, path);
     module = loaded(eval, key);
     if (!module)

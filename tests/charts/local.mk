@@ -4,6 +4,7 @@ chart_tests = \
     tests/charts/import.sh \
     tests/charts/knitout.sh \
     tests/charts/png.sh \
+    tests/charts/use.sh \
     tests/charts/words.sh \
     tests/charts/write.sh
 check_SCRIPTS += $(chart_tests)

@@ -33,7 +33,8 @@ for name in seed_even flag basketweave diagonal_check box waffle; do
     printf 'use %s from std\nswatch %s\n' "$name" "$name" >"$1/chart.knit"
     "$weft" chart --grid "$1/chart.knit" >"$1/kp/$name"
     for kind in csv:csv k:knitout png:png; do
-        "$weft" chart -q "$1/chart.knit" -o "$1/chart.${kind%:*}" 2>/dev/null &&
+        as=$([ "${kind%:*}" != png ] || echo pixels:)
+        "$weft" chart -q "$1/chart.knit" -o "$as$1/chart.${kind%:*}" 2>/dev/null &&
             mv "$1/chart.${kind%:*}" "$1/${kind#*:}/$name" || :
     done
 done
