@@ -13,7 +13,8 @@ const struct command command_table[] = {
      "existing file is replaced only by a complete one. Ctrl-C stops the run and\n"
      "keeps the growth steps that are complete. `weft FILE` is the same.\n"
      "A manifest beside the outputs says how they were made; with --from such a\n"
-     "manifest the run is repeated elsewhere and its outputs are compared.\n"},
+     "manifest the run is repeated elsewhere and its outputs are compared. --resume\n"
+     "goes on with a run that was stopped or killed.\n"},
     {"check", "FILE...", 1, ANY_NUMBER, command_check, "check scripts, fold nothing",
      "Compiles each FILE, reports every error at its place and prints the size of\n"
      "the swatch.\n"},

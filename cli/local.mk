@@ -4,6 +4,7 @@ libcli_a_SOURCES = \
     cli/build.c cli/build.h \
     cli/chart.c \
     cli/check.c \
+    cli/checkpoint.c cli/checkpoint.h \
     cli/command.c cli/command.h \
     cli/deliver.c cli/deliver.h \
     cli/fmt.c \

@@ -74,7 +74,8 @@ static void add_command(cJSON *root, const struct run *run, const char *path)
     cJSON *command = cJSON_AddObjectToObject(root, "command");
     cJSON *arguments = cJSON_AddArrayToObject(command, "arguments");
     for (int i = 1; i < o->argc; i++)
-        cJSON_AddItemToArray(arguments, cJSON_CreateString(o->argv[i]));
+        if (strcmp(o->argv[i], "--resume") != 0)    /* how far it got at first makes no difference */
+            cJSON_AddItemToArray(arguments, cJSON_CreateString(o->argv[i]));
     add_folder(command, path);
     if (weft_path)
         json_text(command, "weft_path", weft_path);

@@ -141,6 +141,7 @@ const struct option option_table[] = {
     {"-j", NULL, "N", "run", take_threads, NULL, 0, "threads (default: one a processor)"},
     {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
     {NULL, "--no-manifest", NULL, "run", take_flag, NULL, offsetof(struct options, no_manifest), "no .manifest.json beside what is written"},
+    {NULL, "--resume", NULL, "run", take_flag, NULL, offsetof(struct options, resume), "go on where a run was stopped or killed"},
     {NULL, "--from", "MANIFEST", "run", take_text, NULL, offsetof(struct options, from), "repeat that run, compare what it wrote"},
     {NULL, "--into", "DIR", "run", take_text, NULL, offsetof(struct options, into), "with --from: keep what is written, in DIR"},
     {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},

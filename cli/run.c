@@ -23,7 +23,10 @@ static bool on_step(void *self, const struct fold_step *step, const struct fold_
 {
     struct run *run = self;
     progress_step(&run->progress, step);
-    return outputs_step(&run->outputs, step, state) && !interrupt_asked();
+    if (!outputs_step(&run->outputs, step, state))
+        return false;
+    checkpoint_step(&run->checkpoint, step, state);
+    return !interrupt_asked();
 }
 
 static bool on_progress(void *self, double growth, int iterations, double energy)
@@ -147,7 +150,7 @@ static enum status stopped(const struct run *run)
     for (int i = 0; i < run->script.scene->noutputs; i++)
         if (outputs_steps(&run->outputs, i) > 0)
             fprintf(stderr, "; %s holds what is complete", run->script.scene->output[i].path);
-    fprintf(stderr, "\n");
+    fprintf(stderr, "%s\n", run->checkpoint.nmarks > 0 ? "; --resume goes on from there" : "");
     return STATUS_FAILED;
 }
 
@@ -186,16 +189,32 @@ static bool choose_seed(struct run *run, const struct fold_options *options, str
     return true;
 }
 
+/* The steps to begin with, where there is a run to go on with; STATUS_FILES: its checkpoint does not fit. */
+static enum status open_checkpoint(struct run *run, struct fold_options *options)
+{
+    const struct report report = run_report(run);
+    if (run->into)
+        return STATUS_DONE;
+    enum status status = checkpoint_open(&run->checkpoint, &report, run->options);
+    options->nmarks = run->checkpoint.nmarks;
+    options->mark = run->checkpoint.mark;
+    return status;
+}
+
 /* Folds the scene's swatch and writes all its outputs. */
 static enum status fold_and_write(struct run *run)
 {
-    const struct fold_options options = {.threads = run->options->threads};
+    struct fold_options options = {.threads = run->options->threads};
     const struct fold_observer observer = {run, on_step, on_progress};
     struct sheet *sheet = sheet_build(run->script.scene);
     bool written = outputs_chart(&run->outputs);
 
     interrupt_ask_first();
     written = written && choose_seed(run, &options, sheet);
+    if (written && open_checkpoint(run, &options) != STATUS_DONE) {
+        sheet_free(sheet);
+        return STATUS_FILES;
+    }
     run->progress = progress_begin(run->script.scene->solve.steps, run->options->quiet);
     struct fold_state *state = written ? fold_run(sheet, &options, &observer, &run->record) : NULL;
     progress_end(&run->progress);
@@ -203,6 +222,7 @@ static enum status fold_and_write(struct run *run)
     written = written && !run->outputs.log.error && !interrupt_asked();
     bool folded = written && state && run->record.status != FOLD_FAILED;
     written = written && (!folded || outputs_final(&run->outputs, state)) && write_records(run);
+    checkpoint_close(&run->checkpoint, written);
     fold_free(state);
     sheet_free(sheet);
     return written ? finished(run) : stopped(run);

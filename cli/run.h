@@ -4,6 +4,7 @@
 #ifndef WEFT_RUN_H
 #define WEFT_RUN_H
 
+#include "cli/checkpoint.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/script.h"
@@ -21,6 +22,7 @@ struct run {
     struct progress       progress;
     struct seeds          seeds;        /* tried before the fold that is kept, if several were asked for */
     uint64_t              seed;         /* of that fold */
+    struct checkpoint     checkpoint;   /* of that fold */
     struct fold_record    record;
 };
 

@@ -29,6 +29,7 @@ struct fold {
     struct fold_state          *state;
     struct problem              problem;
     struct effort               effort;
+    const struct fold_options  *options;
     int                         threads;
     long                        most_factored;
     struct {
@@ -119,18 +120,30 @@ static double square(double a)
 }
 
 /* Appends a step and tells the observer; false when it asks to stop. */
-static bool record_step(struct fold *fold, int iterations)
+static bool append_step(struct fold *fold, const struct fold_step *step)
 {
     struct fold_record *record = fold->record;
     const struct fold_observer *o = fold->observer;
-    struct fold_step step = {.growth = fold->state->growth, .iterations = iterations,
-                             .energy = scaled(fold->problem.energy, fold->sheet->young),
-                             .gradient_max = fold->problem.gradient_max / square(fold->sheet->thickness)};
-    if (step.growth > 0) {
+    if (step->growth > 0) {
         record->step = memory_grow(record->step, (size_t)record->nsteps + 1, sizeof *record->step);
-        record->step[record->nsteps++] = step;
+        record->step[record->nsteps++] = *step;
     }
-    return !o || !o->step || o->step(o->self, &step, fold->state);
+    return !o || !o->step || o->step(o->self, step, fold->state);
+}
+
+/* The state as it is now is a step. */
+static bool record_step(struct fold *fold, int iterations)
+{
+    const struct fold_step step = {.growth = fold->state->growth, .iterations = iterations,
+                                   .energy = scaled(fold->problem.energy, fold->sheet->young),
+                                   .gradient_max = fold->problem.gradient_max / square(fold->sheet->thickness)};
+    return append_step(fold, &step);
+}
+
+struct fold_mark fold_mark(const struct fold_step *step, const struct fold_state *state)
+{
+    return (struct fold_mark){*step, state->effort->iterations, state->effort->evaluations,
+                              state->effort->factorisations, state->d->n, state->x};
 }
 
 static void record_shape(struct fold *fold)
@@ -232,15 +245,42 @@ static bool may_go_on(enum outcome outcome)
     return outcome != OUTCOME_STOPPED && outcome != OUTCOME_LIMIT && outcome != OUTCOME_FAILED;
 }
 
+/* Goes through the steps of a fold that was broken off; false when the observer asks to stop. */
+static bool replay(struct fold *fold)
+{
+    const struct fold_options *options = fold->options;
+    struct fold_state *state = fold->state;
+    for (const struct fold_mark *m = options->mark; m < options->mark + options->nmarks; m++) {
+        if (m->n != state->d->n)
+            return false;
+        memcpy(state->x, m->x, (size_t)m->n * sizeof *state->x);
+        state->growth = m->step.growth;
+        fold->effort.iterations = m->iterations;
+        fold->effort.evaluations = m->evaluations;
+        fold->effort.factorisations = m->factorisations;
+        if (!append_step(fold, &m->step))
+            return false;
+    }
+    return true;
+}
+
+/* The flat sheet, or all that was grown before. */
+static bool begin_growth(struct fold *fold)
+{
+    if (fold->options->nmarks > 0)
+        return replay(fold);
+    problem_evaluate(&fold->problem, fold->state->x);
+    return record_step(fold, 0);
+}
+
 /* All growth steps but the last, whose end is polished later. */
 static enum outcome grow(struct fold *fold)
 {
     const struct solve *solve = &fold->sheet->solve;
-    problem_evaluate(&fold->problem, fold->state->x);
-    if (!record_step(fold, 0))
+    if (!begin_growth(fold))
         return OUTCOME_STOPPED;
     fold->problem.tolerance = tolerance_of(fold, GROWING);
-    for (int step = 1; step < solve->steps; step++) {
+    for (int step = fold->record->nsteps + 1; step < solve->steps; step++) {
         int before = fold->effort.iterations;
         fold->problem.growth = fold->state->growth = (double)step / solve->steps;
         enum outcome outcome = descent_settle(&fold->problem, solve->method, fold->state->x);
@@ -418,10 +458,12 @@ struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options
 {
     *record = (struct fold_record){.status = FOLD_FAILED, .energy_error = -1, .shape_error = -1};
     struct fold fold = {.sheet = sheet, .observer = observer, .record = record,
-                        .state = MEMORY_ARRAY(struct fold_state, 1), .threads = thread_count(options),
+                        .state = MEMORY_ARRAY(struct fold_state, 1), .options = options, .threads = thread_count(options),
                         .most_factored = options->most_factored ? options->most_factored : FOLD_MOST_FACTORED};
+    fold.state->effort = &fold.effort;
     finish_record(&fold, has_curvature(sheet) ? grow_and_refine(&fold) : stay_flat(&fold));
     close_fold(&fold);
+    fold.state->effort = NULL;
     return fold.state;
 }
 

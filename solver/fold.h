@@ -22,8 +22,18 @@ struct fold_observer {
     bool (*progress)(void *self, double growth, int iterations, double energy);
 };
 
+/* A growth step as it can be kept, and gone on from. */
+struct fold_mark {
+    struct fold_step step;
+    int              iterations, evaluations, factorisations;   /* of the fold so far */
+    int              n;
+    const double    *x;                 /* (n) unknowns of the level the sheet grows on */
+};
+
 struct fold_options {
     int  threads;           /* 0 = all processors */
+    int  nmarks;            /* steps that a fold of the same sheet came to; it goes on after the last */
+    const struct fold_mark *mark;       /* (nmarks), the first at growth 0; shown to the observer as if new */
     long most_factored;     /* unknowns beyond which Newton's steps are found by conjugate gradients; 0 = FOLD_MOST_FACTORED */
 };
 
@@ -35,6 +45,9 @@ enum { FOLD_MOST_FACTORED = 600000 };
 struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options *options,
                             const struct fold_observer *observer, struct fold_record *record);
 void fold_free(struct fold_state *state);
+
+/* What to keep of a step, in an observer's call; x is the state's own. */
+struct fold_mark fold_mark(const struct fold_step *step, const struct fold_state *state);
 
 /* Samples a state into a surface made for the same stitches, at any per_stitch. */
 void fold_sample(const struct fold_state *state, struct surface *surface);

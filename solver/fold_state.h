@@ -6,10 +6,13 @@
 
 #include "solver/discretisation.h"
 
+struct effort;
+
 struct fold_state {
     struct discretisation *d;
     double                *x;           /* (n) */
     double                 growth;
+    const struct effort   *effort;      /* of the fold so far, while it runs */
 };
 
 #endif

@@ -10,6 +10,7 @@ cli_tests = \
     tests/cli/options.sh \
     tests/cli/params.sh \
     tests/cli/progress.sh \
+    tests/cli/resume.sh \
     tests/cli/run.sh \
     tests/cli/seeds.sh
 check_SCRIPTS += $(cli_tests)
