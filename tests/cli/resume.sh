@@ -10,9 +10,9 @@ motif checks { Row 1: *k2, p2; rep from * to end
   Row 3: *p2, k2; rep from * to end
   Row 4: *p2, k2; rep from * to end }
 param half = 1
-swatch fill(checks, 8, 8)
+swatch fill(checks, 12, 12)
 mesh  { per_stitch = 1 }
-solve { steps = 12 }
+solve { steps = 30 }
 output "x.pvd"
 output "x.vtp"
 output "x.glb"
