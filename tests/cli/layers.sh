@@ -19,16 +19,17 @@ only() {
 }
 
 only lang '(lang/.*|parser\.h)'
-only charts '(lang|charts)/.*'
+only drawing 'drawing/.*'
+only charts '(lang|charts|drawing)/.*'
 only solver '(solver/.*|lang/(scene|grid)\.h)'
-only output '(output/.*|solver/surface\.h|lang/(scene|grid)\.h)'
+only output '(output/.*|drawing/.*|solver/surface\.h|lang/(scene|grid)\.h)'
 
 includes solver | grep ' lang/' | grep -v '^solver/sheet\.[ch] ' >"$work/strangers"
 empty 'of the solver, only sheet.[ch] reads the scene' "$work/strangers"
 
 # keeps HEADER PATTERN: only files like that include a library's header.
 keeps() {
-    find lang charts solver output cli weft.c -name '*.[chly]' -exec grep -l "include *<$1" {} + 2>/dev/null |
+    find lang drawing charts solver output cli weft.c -name '*.[chly]' -exec grep -l "include *<$1" {} + 2>/dev/null |
         grep -Ev "^($2)\$" >"$work/strangers"
     empty "$1 stays in $2" "$work/strangers"
 }
@@ -37,6 +38,7 @@ keeps 'cjson/' '(output|cli)/.*'
 keeps 'lbfgs\.h' 'solver/.*lbfgs\.[ch]'
 keeps '\(suitesparse/\)*cholmod\.h' 'solver/(factor|newton|plbfgs)\.[ch]'
 keeps 'sha2\.h' 'output/file\.c'
+keeps 'cairo.*\.h' 'drawing/.*'
 keeps 'png\.h' 'charts/picture\.c'
 keeps 'cmocka\.h' 'none'
 
