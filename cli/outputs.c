@@ -17,12 +17,13 @@
 #include "cli/script.h"
 #include "output/chart.h"
 #include "output/obj.h"
+#include "output/portrait.h"
 #include "output/ply.h"
 #include "output/stl.h"
 #include "output/vtp.h"
 
 /* Samples along a stitch's side where an output does not say. */
-enum { SAMPLES_DEFAULT = 2 };
+enum { SAMPLES_DEFAULT = 2, SAMPLES_PICTURE = 4 };
 
 /* ---- what can be written ---- */
 
@@ -56,6 +57,7 @@ static const struct writer {
     {OUTPUT_PLY,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_STL,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_GLB,    NULL,   DUE_FINAL,  write_mesh},
+    {OUTPUT_PICTURE, NULL,  DUE_FINAL,  write_mesh},
 };
 enum { NWRITERS = sizeof writers / sizeof writers[0] };
 
@@ -193,8 +195,10 @@ bool outputs_write_chart(struct file_log *log, struct chart_file chart, const st
 /* The state at the points an output asks for. */
 static struct surface sample(const struct scene *scene, int index, const struct fold_state *state)
 {
-    int wanted = scene->output[index].per_stitch, per_stitch = wanted > 0 ? wanted : SAMPLES_DEFAULT;
-    struct surface surface = surface_make(scene->grid->columns, scene->grid->rows, per_stitch);
+    const struct output *output = &scene->output[index];
+    int usual = output->kind == OUTPUT_PICTURE ? SAMPLES_PICTURE : SAMPLES_DEFAULT;
+    struct surface surface = surface_make(scene->grid->columns, scene->grid->rows,
+                                          output->per_stitch > 0 ? output->per_stitch : usual);
     fold_sample(state, &surface);
     return surface;
 }
@@ -232,6 +236,7 @@ static bool write_mesh(struct outputs *outputs, int index, const struct occasion
     case OUTPUT_PLY: done = ply_write(log, output->path, scene, &surface); break;
     case OUTPUT_STL: done = stl_write(log, output->path, &surface); break;
     case OUTPUT_GLB: done = glb_write(&outputs->glb[index], log, output->path, &surface); break;
+    case OUTPUT_PICTURE: done = portrait_write(log, output, scene, &surface); break;
     default: break;
     }
     surface_free(&surface);

@@ -70,7 +70,7 @@ enum output_kind { OUTPUT_REPORT, OUTPUT_CHART, OUTPUT_PIXELS, OUTPUT_PICTURE, O
 
 enum output_format { FORMAT_BINARY, FORMAT_ASCII };
 enum coloring { COLOR_STITCH, COLOR_HEIGHT, COLOR_MEAN, COLOR_GAUSS, COLOR_BENDING, COLOR_STRETCHING };
-enum palette  { PALETTE_PAPER, PALETTE_SAFE };
+enum dyes     { DYES_PAPER, DYES_SAFE };
 
 /* How a surface is shown.  Angles in degrees: azimuth about z, from the side of
  * the first row (0) towards the right edge (90); elevation above the fabric's
@@ -80,7 +80,7 @@ struct picture {
     double        light[2];     /* of the light as the eye sees it: to the right, upward; (0, 0) is behind the eye */
     int           width;        /* pixels, or points in SVG and PDF */
     enum coloring color;
-    enum palette  palette;
+    enum dyes     palette;      /* of knit and purl */
     bool          edges;        /* lines around the stitches */
     bool          transparent;  /* else white */
     bool          chart;        /* the stitch chart beside the surface */

@@ -2,6 +2,7 @@
 noinst_LIBRARIES += liboutput.a
 liboutput_a_SOURCES = \
     output/chart.c output/chart.h \
+    output/field.c output/field.h \
     output/file.c output/file.h \
     output/glb.c output/glb.h \
     output/json.c output/json.h \
@@ -9,8 +10,11 @@ liboutput_a_SOURCES = \
     output/number.h \
     output/obj.c output/obj.h \
     output/palette.c output/palette.h \
+    output/portrait.c output/portrait.h \
     output/ply.c output/ply.h \
     output/pvd.c output/pvd.h \
+    output/render.c output/render.h \
     output/report.c output/report.h \
     output/stl.c output/stl.h \
+    output/view.c output/view.h \
     output/vtp.c output/vtp.h

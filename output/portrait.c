@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A picture of a folded surface: what an output asks for and a surface in, one
+ * .png, .svg or .pdf out. */
+#include "output/portrait.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "drawing/canvas.h"
+#include "drawing/colours.h"
+#include "drawing/lettering.h"
+#include "output/field.h"
+#include "output/render.h"
+
+enum { PIXELS_PER_POINT = 3, NUMBERS = 5, NUMBER_SIZE = 16 };
+
+/* A rectangle of the picture; x, y is its upper left corner. */
+struct box { double x, y, width, height; };
+
+/* Where things are, in the picture's unit; no scale or chart: their box is empty. */
+struct layout {
+    double     size;        /* of letters */
+    struct box fold, chart, scale;
+    double     width, height;
+};
+
+/* All that a picture is made of. */
+struct show {
+    const struct picture *picture;
+    const struct scene   *scene;
+    const struct surface *surface;
+    const struct palette *palette;
+    struct field          field;    /* value NULL: coloured by stitch */
+    char                  number[NUMBERS][NUMBER_SIZE];     /* beside the scale, from low to high */
+    struct view           view;
+    double                low[2], high[2];                  /* of the projected surface, length */
+    struct layout         layout;
+};
+
+/* ---- what goes where ---- */
+
+static void find_extent(struct show *show)
+{
+    const struct surface *s = show->surface;
+    size_t points = (size_t)(s->nx + 1) * (size_t)(s->ny + 1);
+    for (int c = 0; c < 2; c++)
+        show->low[c] = INFINITY, show->high[c] = -INFINITY;
+    for (size_t i = 0; i < points; i++) {
+        double seen[3];
+        view_project(&show->view, s->position + 3 * i, seen);
+        for (int c = 0; c < 2; c++) {
+            show->low[c] = fmin(show->low[c], seen[c]);
+            show->high[c] = fmax(show->high[c], seen[c]);
+        }
+    }
+}
+
+static double numbers_width(const struct show *show)
+{
+    double width = 0;
+    for (int i = 0; i < NUMBERS; i++)
+        width = fmax(width, lettering_width(show->number[i], show->layout.size));
+    return width;
+}
+
+/* Fold and chart have one height; all together are as wide as asked for and at
+ * most one and a half times as high.  Whole units keep edges sharp. */
+static void lay_out(struct show *show)
+{
+    struct layout *l = &show->layout;
+    const struct grid *g = show->scene->grid;
+    const struct gauge *gauge = &show->scene->gauge;
+    double width = show->picture->width, margin = ceil(width / 50);
+    l->size = fmax(7, width / 60);
+    double scale = show->field.value ? ceil(numbers_width(show) + 6 * l->size) : 0;
+    double gap = show->picture->chart ? 2 * margin : 0, room = width - 2 * margin - scale - gap;
+    double fold_width = fmax(show->high[0] - show->low[0], gauge->width / 100);
+    double fold_height = fmax(show->high[1] - show->low[1], gauge->height / 100);
+    double chart = show->picture->chart ? g->columns * gauge->width / (g->rows * gauge->height) : 0;
+    double height = fmin(room / (chart + fold_width / fold_height), 1.5 * width);
+    double inner = ceil(fmax(height, show->field.value ? 14 * l->size : 0));
+    double left = margin + floor((room - height * (chart + fold_width / fold_height)) / 2);
+    l->width = width;
+    l->height = inner + 2 * margin;
+    l->chart = (struct box){left, margin + floor((inner - height) / 2), chart * height, height};
+    l->fold = (struct box){ceil(left + chart * height + gap), l->chart.y, height * fold_width / fold_height, height};
+    l->scale = (struct box){width - margin - scale + 1.5 * l->size, margin, scale > 0 ? l->size : 0, inner};
+}
+
+/* ---- the fold ---- */
+
+static bool color_cells(const struct show *show, double (*color)[3])
+{
+    const struct surface *s = show->surface;
+    const struct field *f = &show->field;
+    enum colours_scale scale = f->diverging ? COLOURS_DIVERGING : COLOURS_SEQUENTIAL;
+    for (int j = 0; color && j < s->ny; j++) {
+        for (int i = 0; i < s->nx; i++) {
+            size_t cell = (size_t)j * (size_t)s->nx + (size_t)i;
+            struct rgb c = f->value ? colours_at(scale, (f->value[cell] - f->low) / (f->high - f->low))
+                                    : colours_stitch(show->palette, grid_at(show->scene->grid, i / s->per_stitch,
+                                                                            j / s->per_stitch));
+            color[cell][0] = c.red, color[cell][1] = c.green, color[cell][2] = c.blue;
+        }
+    }
+    return color;
+}
+
+/* The fold as an image of so many pixels a unit; NULL: out of memory. */
+static cairo_surface_t *render_fold(const struct show *show, int pixels)
+{
+    const struct box *box = &show->layout.fold;
+    const struct surface *s = show->surface;
+    double (*color)[3] = malloc((size_t)s->nx * (size_t)s->ny * sizeof *color);
+    struct render render = {
+        .surface = s, .color = color, .view = show->view, .edges = show->picture->edges,
+        .shade = show->field.value ? 0.75 : 0.5,
+        .width = (int)ceil(box->width * pixels), .height = (int)ceil(box->height * pixels),
+        .scale = box->height * pixels / fmax(show->high[1] - show->low[1], show->scene->gauge.height / 100),
+        .centre = {(show->low[0] + show->high[0]) / 2, (show->low[1] + show->high[1]) / 2},
+    };
+    view_direction(&show->view, show->picture->light, render.light);
+    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, render.width, render.height);
+    bool done = cairo_surface_status(image) == CAIRO_STATUS_SUCCESS && color_cells(show, color) &&
+                render_pixels(&render, (uint32_t *)(void *)cairo_image_surface_get_data(image));
+    free(color);
+    if (done) {
+        cairo_surface_mark_dirty(image);
+        return image;
+    }
+    cairo_surface_destroy(image);
+    return NULL;
+}
+
+static bool draw_fold(cairo_t *cairo, const struct show *show, enum canvas_format format)
+{
+    int pixels = format == CANVAS_PNG ? 1 : PIXELS_PER_POINT;
+    cairo_surface_t *image = render_fold(show, pixels);
+    if (!image)
+        return false;
+    cairo_save(cairo);
+    cairo_translate(cairo, show->layout.fold.x, show->layout.fold.y);
+    cairo_scale(cairo, 1. / pixels, 1. / pixels);
+    cairo_set_source_surface(cairo, image, 0, 0);
+    cairo_paint(cairo);
+    cairo_restore(cairo);
+    cairo_surface_destroy(image);
+    return true;
+}
+
+/* ---- what stands beside it ---- */
+
+static void set_rgb(cairo_t *cairo, struct rgb c)
+{
+    cairo_set_source_rgb(cairo, c.red, c.green, c.blue);
+}
+
+/* The stitches of one kind as one area, so that no seam shows between them. */
+static void draw_stitches(cairo_t *cairo, const struct show *show, int stitch)
+{
+    const struct grid *g = show->scene->grid;
+    const struct box *box = &show->layout.chart;
+    double width = box->width / g->columns, height = box->height / g->rows;
+    for (int y = 0; y < g->rows; y++) {
+        for (int x = 0, end; x < g->columns; x = end) {
+            for (end = x + 1; end < g->columns && grid_at(g, end, y) == grid_at(g, x, y);)
+                end++;
+            if (grid_at(g, x, y) == stitch)
+                cairo_rectangle(cairo, box->x + x * width, box->y + (g->rows - 1 - y) * height, (end - x) * width, height);
+        }
+    }
+    set_rgb(cairo, colours_stitch(show->palette, stitch));
+    cairo_fill(cairo);
+}
+
+static void draw_chart(cairo_t *cairo, const struct show *show)
+{
+    const struct box *box = &show->layout.chart;
+    cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
+    set_rgb(cairo, colours_stitch(show->palette, STITCH_K));
+    cairo_fill(cairo);
+    for (int stitch = STITCH_K + 1; stitch < show->scene->nstitches; stitch++)
+        draw_stitches(cairo, show, stitch);
+}
+
+/* A line of letters that runs upward, its middle at the scale's. */
+static void draw_upward(cairo_t *cairo, const struct show *show, double x, const char *text)
+{
+    const struct box *box = &show->layout.scale;
+    double size = fmin(show->layout.size, box->height / lettering_width(text, 1));
+    cairo_save(cairo);
+    cairo_translate(cairo, x, box->y + box->height / 2);
+    cairo_rotate(cairo, -M_PI / 2);
+    lettering_draw(cairo, 0, 0, size, LETTERING_CENTRE, text);
+    cairo_restore(cairo);
+}
+
+static void draw_scale(cairo_t *cairo, const struct show *show)
+{
+    const struct box *box = &show->layout.scale;
+    double size = show->layout.size, right = box->x + box->width;
+    enum { STOPS = 32 };
+    cairo_pattern_t *colors = cairo_pattern_create_linear(0, box->y + box->height, 0, box->y);
+    for (int i = 0; i <= STOPS; i++) {
+        struct rgb c = colours_at(show->field.diverging ? COLOURS_DIVERGING : COLOURS_SEQUENTIAL, (double)i / STOPS);
+        cairo_pattern_add_color_stop_rgb(colors, (double)i / STOPS, c.red, c.green, c.blue);
+    }
+    cairo_set_source(cairo, colors);
+    cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
+    cairo_fill(cairo);
+    cairo_pattern_destroy(colors);
+    cairo_set_source_rgb(cairo, 0, 0, 0);
+    for (int i = 0; i < NUMBERS; i++) {
+        double y = box->y + box->height * (1 - (double)i / (NUMBERS - 1));
+        double down = i == 0 ? 0 : i == NUMBERS - 1 ? LETTERING_CAPITAL : LETTERING_CAPITAL / 2;
+        lettering_draw(cairo, right + 0.5 * size, y + down * size, size, LETTERING_LEFT, show->number[i]);
+    }
+    double title = right + 1.9 * size + numbers_width(show);
+    draw_upward(cairo, show, title, show->field.title);
+    draw_upward(cairo, show, title + LETTERING_LINE * size, show->field.ends);
+}
+
+/* ---- the file ---- */
+
+static void send(void *file, const void *bytes, size_t n)
+{
+    file_write(file, bytes, n);
+}
+
+static bool draw(struct file_log *log, struct file *file, const struct show *show, const char *path)
+{
+    enum canvas_format format = CANVAS_PNG;
+    canvas_format_of(path, &format);
+    const struct canvas_size size = {show->layout.width, show->layout.height, 1};
+    struct canvas *canvas = (show->picture->transparent ? canvas_begin_clear : canvas_begin)(format, size, send, file);
+    bool done = draw_fold(canvas->cairo, show, format);
+    if (show->picture->chart)
+        draw_chart(canvas->cairo, show);
+    if (show->field.value)
+        draw_scale(canvas->cairo, show);
+    const char *why = canvas_end(canvas);
+    if (done && !why)
+        return true;
+    file_fail(log, "%s: %s", path, why ? why : "out of memory");
+    return false;
+}
+
+bool portrait_write(struct file_log *log, const struct output *output, const struct scene *scene,
+                   const struct surface *surface)
+{
+    static const char *const palettes[] = {[DYES_PAPER] = "paper", [DYES_SAFE] = "safe"};
+    const struct picture *picture = &output->picture;
+    struct show show = {.picture = picture, .scene = scene, .surface = surface,
+                        .palette = colours_palette(palettes[picture->palette]), .view = view_make(picture->view)};
+    if (picture->color != COLOR_STITCH) {
+        show.field = field_of(surface, picture->color);
+        if (!show.field.value) {
+            file_fail(log, "%s: out of memory", output->path);
+            return false;
+        }
+        for (int i = 0; i < NUMBERS; i++)
+            snprintf(show.number[i], NUMBER_SIZE, "%.3g",
+                     show.field.low + (show.field.high - show.field.low) * i / (NUMBERS - 1));
+    }
+    find_extent(&show);
+    lay_out(&show);
+    struct file *file = file_create(log, output->path);
+    bool done = file && draw(log, file, &show, output->path);
+    field_free(&show.field);
+    if (file && !done)
+        file_abandon(file);
+    return done && file_commit(file);
+}
