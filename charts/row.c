@@ -176,10 +176,11 @@ static int plain_cost(const struct runs *runs, const struct star *star)
                                    part_runs((struct part){runs, star_end(star), runs->n}));
 }
 
+/* A repeat is the most of its row; less is a group in brackets. */
 static void offer_star(const struct runs *runs, struct star *best, int from, int to, int period)
 {
     struct star star = {.from = from, .period = period, .times = (to - from) / period};
-    if (star.times < 2)
+    if (star.times < 2 || 2 * (star_end(&star) - from) < runs->n)
         return;
     star.cost = plain_cost(runs, &star);
     if (!best->times || star.cost < best->cost)

@@ -10,7 +10,10 @@ enum {
     TABLE      = 4 * 1000 * 1000,   /* entries of the table of repeats */
     BLOCK      = 64,                /* rows that are at least looked at together */
     COST_LINE  = 4,                 /* of a line of words, and of `Repeat rows ..` */
-    COST_LABEL = 1                  /* of a further row number before the words */
+    COST_LABEL = 1,                 /* of a further row number before the words */
+    SMALL      = 200 * 1000,        /* stitches of a grid that is searched for a multiple */
+    EDGE       = 8,                 /* stitches at each side that may lie outside the repeat */
+    REPEAT     = 64                 /* stitches of a repeat that is looked for */
 };
 
 /* How the rows from one on are written: a block of rows, perhaps repeated. */
@@ -136,39 +139,55 @@ static void make_plan(struct writer *w)
 
 /* ---- lines ---- */
 
-/* `1`, `1 and 3`, `1-3, 5 and 7`: the rows of a block that have the words of its row `first`. */
+/* The next rows of a block that have the words of its row `first`: three and more in a run
+ * together, else one. False behind the last. */
+static bool next_label(const struct writer *w, int first, int end, int *row, int label[2])
+{
+    int words = w->words[first];
+    while (*row < end && w->words[*row] != words)
+        (*row)++;
+    label[0] = *row + 1;
+    while (*row < end && w->words[*row] == words)
+        (*row)++;
+    if (*row == label[0] + 1)
+        (*row)--;
+    label[1] = *row;
+    return label[0] <= label[1];
+}
+
+/* `1`, `1 and 2`, `1-3, 5 and 7` */
 static void write_labels(struct writer *w, int first, int end)
 {
-    int label[2][2] = {{0}}, held = 0;  /* the last two ranges, held back for the `and` */
-    const char *comma = "";
-    for (int row = first; row <= end; row++) {
-        bool new = row < end && w->words[row] == w->words[first];
-        if (new && held && label[held - 1][1] == row) {
-            label[held - 1][1] = row + 1;
-            continue;
-        }
-        if (!new && row < end)
-            continue;
-        if (held == 2 || (held && row == end)) {
-            const int *l = label[0];
-            text_print(w->text, l[0] == l[1] ? "%s%d" : "%s%d-%d", comma, l[0], l[1]);
-            comma = ", ";
-            memmove(label[0], label[1], sizeof label[0]);
-            held--;
-        }
-        if (new) {
-            label[held][0] = label[held][1] = row + 1;
-            held++;
-        } else if (held) {
-            text_print(w->text, label[0][0] == label[0][1] ? " and %d" : " and %d-%d", label[0][0], label[0][1]);
-        }
+    int label[2], row = first, n = 0, i = 0;
+    while (next_label(w, first, end, &row, label))
+        n++;
+    for (row = first; next_label(w, first, end, &row, label); i++) {
+        const char *between = i == 0 ? "" : i == n - 1 ? " and " : ", ";
+        text_print(w->text, label[0] == label[1] ? "%s%d" : "%s%d-%d", between, label[0], label[1]);
     }
+}
+
+/* Is this the text of all WS rows, of three at least, and no other row of the fabric's? */
+static bool is_all_ws(const struct writer *w, int first, int end)
+{
+    const struct plan *plan = &w->plan[0];
+    int count = 0, block = plan->times == 1 ? plan->rows : plan->rows * (plan->times ? plan->times : 1);
+    bool alone = w->grid->rows % 2 == 0 && end == plan->rows && (plan->times == 0 || block == w->grid->rows);
+    for (int row = 0; row < end && alone; row++) {
+        alone = (w->words[row] == w->words[first]) == (row % 2 == 1);
+        count += row % 2;
+    }
+    return alone && first == 1 && count >= 3 && !w->style->round && !w->style->open;
 }
 
 /* `Row`, `Rows`, `Rnd`, `Rnds` and the side, if the rows have one. */
 static void write_head(struct writer *w, int first, int end)
 {
     int count = 0, right = 0;
+    if (is_all_ws(w, first, end)) {
+        text_print(w->text, "%sRow 2 and all WS rows: ", w->style->indent);
+        return;
+    }
     for (int row = first; row < end; row++)
         if (w->words[row] == w->words[first]) {
             count++;
@@ -190,7 +209,7 @@ static void write_line(struct writer *w, int first, int end)
         .open = w->style->open,
     };
     row_write(&row, worked_row(w, first), w->grid->columns);
-    if (!w->style->open)
+    if (!w->style->open && !w->style->uncounted)
         text_print(w->text, ". (%d st%s)", w->grid->columns, w->grid->columns == 1 ? "" : "s");
     text_print(w->text, "\n");
 }
@@ -243,8 +262,48 @@ void written_rows(struct text *text, const struct grid *grid, const struct writt
     }
 }
 
+/* ---- a whole pattern ---- */
+
+/* Does every row equal itself moved by a period, but for some stitches at both edges? */
+static bool repeats(const struct grid *g, int period, int edge)
+{
+    for (int row = 0; row < g->rows; row++) {
+        const stitch_id *cell = g->cell + (size_t)row * (size_t)g->columns + edge;
+        if (memcmp(cell, cell + period, (size_t)(g->columns - 2 * edge - period)) != 0)
+            return false;
+    }
+    return true;
+}
+
+/* Would the words be the same with one repeat more? */
+static bool words_fit(struct arena *arena, const struct grid *g, int period, int edge, bool round)
+{
+    const struct written_style style = {.round = round, .uncounted = true, .indent = ""};
+    struct text words = {.arena = arena}, wider = {.arena = arena};
+    written_rows(&words, g, &style);
+    written_rows(&wider, grid_stretch(arena, g, edge, period, 2), &style);
+    return words.length == wider.length && memcmp(words.bytes, wider.bytes, words.length) == 0;
+}
+
+/* `Multiple of 4 sts + 2.`, where at least two repeats stand side by side. */
+static void write_multiple(struct text *text, const struct grid *g, bool round)
+{
+    for (int edge = 0; edge <= EDGE && g->rows <= SMALL / g->columns; edge++)
+        for (int period = 2; period <= REPEAT && 2 * period + 2 * edge <= g->columns; period++) {
+            int plus = g->columns - (g->columns - 2 * edge) / period * period;
+            if (!repeats(g, period, edge) || repeats(g, 1, edge))
+                continue;
+            if (words_fit(text->arena, g, period, edge, round))
+                text_print(text, plus ? "Multiple of %d sts + %d.\n" : "Multiple of %d sts.\n", period, plus);
+            return;
+        }
+}
+
 void written_pattern(struct text *text, const struct grid *grid, bool round)
 {
-    text_print(text, "Cast on %d st%s.\n", grid->columns, grid->columns == 1 ? "" : "s");
+    write_multiple(text, grid, round);
+    text_print(text, "Cast on %d st%s%s.\n", grid->columns, grid->columns == 1 ? "" : "s",
+               round ? "; join to work in the round" : "");
     written_rows(text, grid, &(struct written_style){.round = round, .indent = ""});
+    text_print(text, "Bind off.\n");
 }

@@ -11,10 +11,11 @@
 struct written_style {
     bool        round;      /* worked in the round: every row from the right side */
     bool        open;       /* rows for any multiple of the width, without their count */
+    bool        uncounted;  /* rows without `(22 sts)` */
     const char *indent;     /* of every line */
 };
 
-/* A whole pattern, from `Cast on` to the last row. The grid holds K and P alone. */
+/* A whole pattern, from `Multiple of` (where the words fit other widths, too) to `Bind off`. The grid holds K and P alone. */
 void written_pattern(struct text *, const struct grid *, bool round);
 
 /* Its rows. */

@@ -16,14 +16,18 @@ writes() {
 
 rib='Cast on 22|Row 1: *k2, p2; rep from * to last 2 sts, k2|Row 2: *p2, k2; rep from * to last 2 sts, p2'
 writes 'a rib' "$rib|Repeat rows 1-2 14 times" <<'TEXT'
+Multiple of 4 sts + 2.
 Cast on 22 sts.
 Row 1 (RS): *k2, p2; rep from * to last 2 sts, k2. (22 sts)
 Row 2 (WS): *p2, k2; rep from * to last 2 sts, p2. (22 sts)
 Repeat rows 1-2 14 more times.
+Bind off.
 TEXT
 writes 'a rib in the round' "$rib|Repeat rows 1-2 14 times" --round <<'TEXT'
-Cast on 22 sts.
+Multiple of 4 sts + 2.
+Cast on 22 sts; join to work in the round.
 Rnds 1-30: *k2, p2; rep from * to last 2 sts, k2. (22 sts)
+Bind off.
 TEXT
 writes 'a remainder' "$rib|Row 3: purl|Row 4: p2, k20|Repeat rows 1-4 twice|Row 13: k2, (p2, k2) to end|Row 14: as row 2" <<'TEXT'
 Cast on 22 sts.
@@ -32,18 +36,37 @@ Row 2 (WS): *p2, k2; rep from * to last 2 sts, p2. (22 sts)
 Row 3 (RS): purl. (22 sts)
 Row 4 (WS): p2, k20. (22 sts)
 Repeat rows 1-4 until piece has 14 rows.
+Bind off.
 TEXT
 writes 'equal rows' 'Cast on 3|Rows 1 and 3: k1, p2|Rows 2 and 5: p1, k2|Row 4: purl' <<'TEXT'
 Cast on 3 sts.
 Rows 1 and 3 (RS): k1, p2. (3 sts)
 Rows 2 and 5: p1, k2. (3 sts)
 Row 4 (WS): purl. (3 sts)
+Bind off.
 TEXT
 writes 'garter' 'use garter from std|swatch tile(garter, 5, 10)' <<'TEXT'
 Cast on 5 sts.
 Rows 1-20: knit. (5 sts)
+Bind off.
+TEXT
+writes 'one text for all WS rows' \
+    'Cast on 6|Rows 2, 4 and 6: purl|Row 1: *k2, p1; rep from *|Row 3: k1, p1, k4|Row 5: p2, k4|Repeat rows 1-6 twice' <<'TEXT'
+Cast on 6 sts.
+Row 1 (RS): *k2, p1; rep from * to end. (6 sts)
+Row 2 and all WS rows: purl. (6 sts)
+Row 3 (RS): k1, p1, k4. (6 sts)
+Row 5 (RS): p2, k4. (6 sts)
+Repeat rows 1-6 2 more times.
+Bind off.
+TEXT
+writes 'a row of several kinds of stripes, none of them the most of it' 'Row 1: (k1, p1) 3 times, (k6, p1) twice, k7, p1, k1, p1' <<'TEXT'
+Cast on 30 sts.
+Row 1 (RS): [k1, p1] 3 times, k6, p1, k6, p1, k7, p1, k1, p1. (30 sts)
+Bind off.
 TEXT
 writes 'edges on both sides' 'use basketweave from std|swatch fill(basketweave, 29, 16)' <<'TEXT'
+Multiple of 8 sts + 5.
 Cast on 29 sts.
 Rows 1 and 5 (RS): knit. (29 sts)
 Rows 2 and 4 (WS): *k5, p3; rep from * to last 5 sts, k5. (29 sts)
@@ -51,28 +74,36 @@ Row 3 (RS): *p5, k3; rep from * to last 5 sts, p5. (29 sts)
 Rows 6 and 8 (WS): k1, *p3, k5; rep from * to last 4 sts, p3, k1. (29 sts)
 Row 7 (RS): p1, *k3, p5; rep from * to last 4 sts, k3, p1. (29 sts)
 Repeat rows 1-8 once more.
+Bind off.
 TEXT
 writes 'a repeat that is cut within a run' 'Cast on 48|Row 1: *k7, p12, k5; rep from * to end' <<'TEXT'
+Multiple of 24 sts.
 Cast on 48 sts.
 Row 1 (RS): *k7, p12, k5; rep from * to end. (48 sts)
+Bind off.
 TEXT
 writes 'two repeats in a row' 'Row 1: (k1, p1) 6 times, k10, (p1, k1) 6 times, p1' <<'TEXT'
 Cast on 35 sts.
 Row 1 (RS): [k1, p1] 6 times, k10, [p1, k1] 6 times, p1. (35 sts)
+Bind off.
 TEXT
 writes 'one stitch left' 'Row 1: (k1, p1) 6 times, k1' <<'TEXT'
+Multiple of 2 sts + 1.
 Cast on 13 sts.
 Row 1 (RS): *k1, p1; rep from * to last st, k1. (13 sts)
+Bind off.
 TEXT
 writes 'one stitch' 'swatch K' <<'TEXT'
 Cast on 1 st.
 Row 1 (RS): knit. (1 st)
+Bind off.
 TEXT
 writes 'a long row, with breaks behind commas' \
     'Row 1: k1, p2, k3, p4, k5, p6, k7, p8, k9, p10, k11, p12, k13, p14, k15, p16, k17, p18' <<'TEXT'
 Cast on 171 sts.
 Row 1 (RS): k1, p2, k3, p4, k5, p6, k7, p8, k9, p10, k11, p12, k13,
     p14, k15, p16, k17, p18. (171 sts)
+Bind off.
 TEXT
 writes 'parts of the height repeated each for itself' 'use weave from std|swatch weave' <<'TEXT'
 Cast on 48 sts.
@@ -86,6 +117,7 @@ Row 20 (WS): k14, p20, k14. (48 sts)
 Repeat rows 19-20 7 more times.
 Row 35 (RS): knit. (48 sts)
 Row 36 (WS): purl. (48 sts)
+Bind off.
 TEXT
 
 exits 0 'to a file' "$WEFT" write "$work/x.knit" -o "$work/pattern.knit"
