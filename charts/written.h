@@ -15,7 +15,8 @@ struct written_style {
     const char *indent;     /* of every line */
 };
 
-/* A whole pattern, from `Multiple of` (where the words fit other widths, too) to `Bind off`. The grid holds K and P alone. */
+/* A whole pattern, from `Multiple of` (where the words fit other widths, too) to `Bind off`.
+ * The grid holds K and P alone. */
 void written_pattern(struct text *, const struct grid *, bool round);
 
 /* Its rows. */
