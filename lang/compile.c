@@ -358,16 +358,16 @@ static void list_sweep(struct compilation *c)
 static void list_sources(struct eval *eval, struct scene *scene)
 {
     struct scene_source *source;
-    int n = 0;
+    int n = 1;
 
-    for (const struct module *m = eval->module; m; m = m->next)
-        n += m->folder != NULL;
+    for (const struct used_file *f = eval->used; f; f = f->next)
+        n++;
     source = arena_array(eval->arena, struct scene_source, (size_t)n);
     scene->nsources = n;
     scene->source = source;
-    for (const struct module *m = eval->module; m; m = m->next)
-        if (m->folder)
-            source[--n] = (struct scene_source){m->source->name, m->source->text, m->source->size};
+    for (const struct used_file *f = eval->used; f; f = f->next)
+        source[--n] = (struct scene_source){f->source->name, f->source->text, f->source->size};
+    source[0] = (struct scene_source){eval->main->source->name, eval->main->source->text, eval->main->source->size};
 }
 
 static const struct scene *scene_of(struct compilation *c)

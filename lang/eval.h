@@ -107,12 +107,19 @@ struct motif {
 
 /* ---- the evaluator ---- */
 
+/* A file that was read for the scene. */
+struct used_file {
+    const struct source *source;
+    struct used_file    *next;
+};
+
 struct eval {
     struct arena       *arena;
     struct diag        *diag;
     struct names       *names;
     struct module      *module;         /* all files, the newest first */
     struct module      *main;
+    struct used_file    *used;          /* by the main file, the last read first */
     const char *const  *include;        /* folders to look in */
     int                 nincludes, include_depth;
     compile_chart      *chart;          /* reads chart files that are used, or NULL */

@@ -107,6 +107,18 @@ static struct module *loaded(struct eval *eval, const char *key)
     return NULL;
 }
 
+/* A file read twice counts once. */
+static void note_used(struct eval *eval, const struct source *source)
+{
+    struct used_file *file = arena_new(eval->arena, struct used_file);
+
+    for (const struct used_file *f = eval->used; f; f = f->next)
+        if (strcmp(f->source->name, source->name) == 0)
+            return;
+    *file = (struct used_file){source, eval->used};
+    eval->used = file;
+}
+
 /* The first of the folders that has the file. */
 static const struct source *find_file(struct eval *eval, const struct module *module, const char *name,
                                       const char **path)
@@ -122,8 +134,10 @@ static const struct source *find_file(struct eval *eval, const struct module *mo
             continue;
         *path = *name == '/' ? name : arena_printf(eval->arena, "%s%s%s", folder, between, name);
         source = source_read(eval->arena, *path, &why);
-        if (source)
+        if (source) {
+            note_used(eval, source);
             return source;
+        }
     }
     return NULL;
 }

@@ -12,10 +12,12 @@ export TMPDIR
 cat >"$work/a/sub/lib.knit" <<'KNIT'
 motif ribs(w) = beside(tile(K, w, 1), tile(P, w, 1))
 KNIT
+printf 'k,p\n' >"$work/a/sub/chart.csv"
 cat >"$work/a/sub/rib.knit" <<'KNIT'
 use "lib.knit"
+use "chart.csv"
 param w = 2
-swatch tile(ribs(w), 2, 6)
+swatch above(tile(ribs(w), 2, 6), tile(chart, 2 * w, 1))
 solve { steps = 3 }
 output "out/x.glb"
 output "out/x.pvd"
@@ -45,6 +47,8 @@ is 'its folder' "$m" command.folder ..
 is 'threads' "$m" command.threads 2
 is 'the script' "$m" sources.0.sha256 "$(sha256sum <"$work/a/sub/rib.knit" | sed 's/ .*//')"
 is 'what it uses' "$m" sources.1.path sub/lib.knit
+is 'a chart it uses' "$m" sources.2.path sub/chart.csv
+is 'with its hash' "$m" sources.2.sha256 "$(sha256sum <"$work/a/sub/chart.csv" | sed 's/ .*//')"
 is 'with its hash' "$m" sources.1.sha256 "$(sha256sum <"$work/a/sub/lib.knit" | sed 's/ .*//')"
 is 'the grid' "$m" scene.grid_sha256 "$(in_folder "$work/a" chart --grid sub/rib.knit -D w=1 | sha256sum | sed 's/ .*//')"
 is 'parameters' "$m" parameters.w.from 'command line'
@@ -78,7 +82,7 @@ exits 0 'with another number of threads, into a folder' "$WEFT" run -q -j 1 --fr
 check 'which has them all' cmp "$work/a/out/x.glb" "$work/c/out/x.glb"
 check 'and no second manifest' test ! -e "$work/c/out/r.manifest.json"
 mkdir "$work/d"
-cp "$m" "$work/a/sub/"*.knit "$work/d"
+cp "$m" "$work/a/sub/"* "$work/d"
 exits 0 'elsewhere, the script beside it' "$WEFT" run -q --from "$work/d/r.manifest.json"
 out 'the same' '^all 8 outputs are identical$'
 
