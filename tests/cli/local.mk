@@ -9,6 +9,7 @@ cli_tests = \
     tests/cli/manifest.sh \
     tests/cli/options.sh \
     tests/cli/params.sh \
+    tests/cli/picture.sh \
     tests/cli/progress.sh \
     tests/cli/resume.sh \
     tests/cli/run.sh \
