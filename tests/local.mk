@@ -6,3 +6,4 @@ include tests/charts/local.mk
 include tests/cli/local.mk
 include tests/stress/local.mk
 include tests/fuzz/local.mk
+include tests/tools/local.mk

@@ -1,0 +1,3 @@
+" SPDX-License-Identifier: GPL-3.0-or-later
+" Files of the knitting language of weft.
+autocmd BufRead,BufNewFile *.knit setfiletype knit
