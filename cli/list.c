@@ -29,7 +29,27 @@ static void print_list(const struct library_motif *motif, int count)
     }
 }
 
-static enum status print_motif(const struct library_motif *m)
+/* The comment above `motif NAME` in its file, without the marks: what the motif
+ * is, other names it goes by, and what its arguments mean. */
+static void print_about(struct file *file, const char *text, const char *name)
+{
+    const char *begin = NULL, *line = text, *next;
+    size_t length = strlen(name);
+    for (; *line; line = next) {
+        next = line + strcspn(line, "\n");
+        next += *next == '\n';
+        if (strncmp(line, "motif ", 6) == 0 && strncmp(line + 6, name, length) == 0 && strchr(" (", line[6 + length]))
+            break;
+        begin = *line != '#' ? NULL : begin ? begin : line;
+    }
+    for (; begin && begin < line; begin = next + 1) {
+        next = begin + strcspn(begin, "\n");
+        begin += 1 + (begin[1] == ' ');
+        file_print(file, "%.*s\n", (int)(next - begin), begin);
+    }
+}
+
+static enum status print_motif(struct arena *arena, const struct library_motif *m)
 {
     static const struct stitch stitch[] = {{.name = "K", .symbol = "k"}, {.name = "P", .symbol = "p"}};
     const struct scene scene = {.grid = m->grid, .nstitches = 2, .stitch = stitch};
@@ -39,8 +59,9 @@ static enum status print_motif(const struct library_motif *m)
     if (!file)
         return STATUS_FILES;
     print_multiple(multiple, m);
-    file_print(file, "%s%s: %.500s\nmultiple of %s, %d rows, in %s\n\n", m->name, m->arguments, m->about, multiple,
-               m->rows, m->file);
+    file_print(file, "%s%s: ", m->name, m->arguments);
+    print_about(file, library_text(arena, m->file), m->name);
+    file_print(file, "multiple of %s, %d rows, in %s\n\n", multiple, m->rows, m->file);
     chart_text(file, &scene);
     bool done = file_commit(file);
     if (log.error)
@@ -50,13 +71,13 @@ static enum status print_motif(const struct library_motif *m)
 }
 
 /* One motif by its name, or the nearest to it. */
-static enum status list_one(const struct options *options, const struct library_motif *motif, int count)
+static enum status list_one(const struct options *options, struct arena *arena, const struct library_motif *motif, int count)
 {
     const char *name = options->operand[0];
     struct nearest nearest = nearest_to(name);
     for (const struct library_motif *m = motif; m < motif + count; m++) {
         if (strcmp(m->name, name) == 0)
-            return print_motif(m);
+            return print_motif(arena, m);
         nearest_offer(&nearest, m->name);
     }
     if (nearest.best)
@@ -71,7 +92,7 @@ enum status command_list(const struct options *options)
     const struct library_motif *motif = library_list(&arena, &count);
     enum status status = STATUS_DONE;
     if (options->noperands > 0)
-        status = list_one(options, motif, count);
+        status = list_one(options, &arena, motif, count);
     else
         print_list(motif, count);
     arena_free(&arena);

@@ -14,6 +14,15 @@ for motif in $names; do
     out "$motif: its chart" '  1$'
 done
 
+# The whole comment: the first line behind the name, the others below it.
+exits 0 'a motif of several lines' "$WEFT" list miura
+check 'has them all' test "$(head -4 "$work/out" | tr '\n' '|')" = \
+    'miura(half = 6): Zigzag columns (Fig. 3a)|Folds like the Miura map fold.|`half` is the width of a column in stitches, and half the height of a zigzag in rows.|multiple of 12, 23 rows, in std/miura.knit|'
+exits 0 'other names' "$WEFT" list ladder
+out 'are told' '^Also: gansey ladder\.$'
+exits 0 'a name that begins another' "$WEFT" list rib
+out 'has its own text' '^rib(k = 2, p = 2): Columns of k knit and p purl stitches$'
+
 exits 2 'a motif that is not there' "$WEFT" list miurra
 err 'is like another' "no motif 'miurra'; did you mean miura?"
 exits 2 'a motif like no other' "$WEFT" list wxyzwxyz
