@@ -61,3 +61,18 @@ plot rows("estimate", "") using 6:7 with points lc rgb blue pt 7 title "one patc
      rows("estimate", "") using 9:10 with points lc rgb green pt 5 title "2 x 2 patches a stitch", \
      x with lines lc rgb grey dt 3 title "equal"
 set output
+
+set output file("converge")
+set xlabel "cells along a stitch's side"
+set ylabel "relative error of the energy"
+set title "Patches (filled) and triangles (open) come to one energy"
+unset format x
+set xtics (1, 2, 4, 8)
+set key outside right top
+set xrange [0.9:9]
+set yrange [1e-4:2]
+plot for [k = 1:4] rows("converge", "1=" . word("rib2x2 checks seed miura", k) . " 2=patch") using 3:7 with linespoints \
+     lc rgb word(blue . " " . green . " " . red . " " . grey, k) pt 7 title word("rib2x2 checks seed miura", k) . ", patches", \
+     for [k = 1:4] rows("converge", "1=" . word("rib2x2 checks seed miura", k) . " 2=triangle") using 3:($3 > 1 ? $7 : NaN) with linespoints \
+     lc rgb word(blue . " " . green . " " . red . " " . grey, k) pt 6 dt 2 title word("rib2x2 checks seed miura", k) . ", triangles"
+set output

@@ -9,10 +9,6 @@
 #include "solver/memory.h"
 #include "solver/two_level.h"
 
-/* What lies beyond the next level: the energy's order in the element size is at
- * least 2 where curvature jumps at patch lines, so 1/(1 - 2^-2) = 4/3; and what
- * the conjugate gradients leave out. */
-static const double BEYOND = 1.5;
 static const double ENOUGH = 0.02;      /* of the decrease so far: a step that adds less is the last */
 enum { MOST_STEPS = 40 };
 
@@ -48,5 +44,5 @@ struct estimate estimate_error(const struct problem *p, const struct discretisat
     }
     two_level_free(t);
     free(gradient), free(e);
-    return (struct estimate){BEYOND * fabs(p->energy.total - prolonged + decrease), BEYOND * furthest};
+    return (struct estimate){ESTIMATE_BEYOND * fabs(p->energy.total - prolonged + decrease), ESTIMATE_BEYOND * furthest};
 }

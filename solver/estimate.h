@@ -6,6 +6,11 @@
 
 #include "solver/problem.h"
 
+/* What lies beyond the next level: the energy's order in the element size is at
+ * least 2 where curvature jumps at patch lines, so 1/(1 - 2^-2) = 4/3; and what
+ * the conjugate gradients leave out. */
+static const double ESTIMATE_BEYOND = 1.5;
+
 struct estimate {
     double energy;      /* bound meant for the energy above that without discretisation error; young * length^3 */
     double shape;       /* bound meant for the largest distance to that surface; length */

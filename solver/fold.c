@@ -10,6 +10,7 @@
 #include <omp.h>
 #endif
 
+#include "solver/cross_check.h"
 #include "solver/descent.h"
 #include "solver/estimate.h"
 #include "solver/fold_state.h"
@@ -38,8 +39,6 @@ struct fold {
         struct factor         *factor;
     } kept;                                     /* the last level that was factored, once one is too large */
     int                         pushes;     /* saddles left on all levels */
-    double                      coarser_energy; /* of the level before, where levels are not nested */
-    struct surface              coarser;        /* its surface; position NULL: there was none */
 };
 
 /* ---- levels ---- */
@@ -305,48 +304,19 @@ static double sheet_size(const struct sheet *sheet)
     return hypot(sheet->columns * sheet->dx, sheet->rows * sheet->dy);
 }
 
-/* Estimates the error of a minimum with the help of the next level; x (its n)
- * becomes a start there. */
-static void estimate_ahead(struct fold *fold, const struct discretisation *finer, double *x)
+static void state_error(struct fold *fold, struct estimate error)
+{
+    double scale = energy_scale(fold);
+    fold->record->energy_error = scale > 0 ? error.energy / scale : 0;
+    fold->record->shape_error = error.shape < 0 ? -1 : error.shape / sheet_size(fold->sheet);
+}
+
+/* The error of a minimum with the help of the next level; x (its n) becomes a start there. */
+static struct estimate estimate_ahead(struct fold *fold, const struct discretisation *finer, double *x)
 {
     struct discretisation *coarse = fold->kept.d ? fold->kept.d : fold->state->d;
     struct factor *factor = fold->kept.d ? fold->kept.factor : fold->problem.factor;
-    struct estimate error = estimate_error(&fold->problem, coarse, factor, fold->state->x, finer, x);
-    double scale = energy_scale(fold);
-    fold->record->energy_error = scale > 0 ? error.energy / scale : 0;
-    fold->record->shape_error = error.shape / sheet_size(fold->sheet);
-}
-
-/* Where levels are not nested: from the change since the last one, of half the
- * cells.  The triangles' order is 1.8 where curvature jumps (measured), so what
- * is left is 1/(2^1.8 - 1) of the change; half as much again for safety. */
-static void estimate_behind(struct fold *fold)
-{
-    static const double LEFT = 1.5 / 2.48;
-    double change = fabs(fold->problem.energy.total - fold->coarser_energy), scale = energy_scale(fold), furthest = 0;
-    if (!fold->coarser.position)
-        return;
-    const struct sheet *sheet = fold->sheet;
-    struct surface now = surface_make(sheet->columns, sheet->rows, 1);
-    fold_sample(fold->state, &now);
-    for (size_t i = 0; i < 3 * (size_t)(now.nx + 1) * (size_t)(now.ny + 1); i += 3)
-        furthest = fmax(furthest, sqrt(square(now.position[i] - fold->coarser.position[i]) +
-                                       square(now.position[i + 1] - fold->coarser.position[i + 1]) +
-                                       square(now.position[i + 2] - fold->coarser.position[i + 2])));
-    surface_free(&now);
-    fold->record->energy_error = scale > 0 ? LEFT * change / scale : 0;
-    fold->record->shape_error = LEFT * furthest / sheet_size(sheet);
-}
-
-/* Keeps what estimate_behind compares the next level with. */
-static void remember_level(struct fold *fold)
-{
-    if (fold->state->d->op->restrict_gradient)
-        return;
-    if (!fold->coarser.position)
-        fold->coarser = surface_make(fold->sheet->columns, fold->sheet->rows, 1);
-    fold_sample(fold->state, &fold->coarser);
-    fold->coarser_energy = fold->problem.energy.total;
+    return estimate_error(&fold->problem, coarse, factor, fold->state->x, finer, x);
 }
 
 /* Is this level the last: as fine as asked for, or accurate enough, or all that fits? */
@@ -370,21 +340,23 @@ static bool settle_level(struct fold *fold, struct descent *end)
     fold->pushes += end->pushes;
     if (!may_go_on(end->outcome) || (!passing && !end->minimum))
         return true;
+    bool ahead = !passing && d->op->restrict_gradient;
+    if (!passing && !ahead) {
+        state_error(fold, cross_check(&fold->problem, fold->state->x));
+        if (fine_enough(fold))
+            return true;
+    }
     struct discretisation *finer = levels_next(d, fold->threads);
     double *x = MEMORY_ARRAY(double, finer->n);
-    bool nested = d->op->restrict_gradient;
-    if (!passing && nested)
-        estimate_ahead(fold, finer, x);
+    if (ahead)
+        state_error(fold, estimate_ahead(fold, finer, x));
     else
         d->op->prolong(d, fold->state->x, finer, x);
-    if (!passing && !nested)
-        estimate_behind(fold);
-    if (!passing && fine_enough(fold)) {
+    if (ahead && fine_enough(fold)) {
         finer->op->free(finer);
         free(x);
         return true;
     }
-    remember_level(fold);
     replace_level(fold, finer, x);
     return false;
 }
@@ -440,7 +412,6 @@ static void close_fold(struct fold *fold)
     free(fold->kept.x);
     if (fold->kept.d)
         fold->kept.d->op->free(fold->kept.d);
-    surface_free(&fold->coarser);
 }
 
 static int thread_count(const struct fold_options *options)

@@ -27,6 +27,11 @@ static int coarsest_cells(int wanted)
     return wanted;
 }
 
+struct discretisation *levels_patches(const struct sheet *sheet, int per_stitch, int threads)
+{
+    return patch_make(sheet, &basis_hermite, per_stitch, GAUSS, threads);
+}
+
 struct discretisation *levels_first(const struct sheet *sheet, int threads)
 {
     int wanted = sheet->mesh.per_stitch;
@@ -35,7 +40,7 @@ struct discretisation *levels_first(const struct sheet *sheet, int threads)
         return triangle_make(sheet, one_level(sheet) ? wanted : coarsest_cells(wanted), threads);
     }
     if (one_level(sheet))
-        return patch_make(sheet, &basis_hermite, wanted ? wanted : 1, GAUSS, threads);
+        return levels_patches(sheet, wanted ? wanted : 1, threads);
     return patch_make(sheet, &basis_spline, 1, GAUSS_COARSE, threads);
 }
 
@@ -44,7 +49,7 @@ struct discretisation *levels_flat(const struct sheet *sheet, int threads)
     int wanted = sheet->mesh.per_stitch ? sheet->mesh.per_stitch : 1;
     return sheet->mesh.discretisation == DISCRETISATION_TRIANGLE
                ? triangle_make(sheet, wanted, threads)
-               : patch_make(sheet, &basis_hermite, wanted, GAUSS, threads);
+               : levels_patches(sheet, wanted, threads);
 }
 
 struct discretisation *levels_next(const struct discretisation *d, int threads)
@@ -54,7 +59,7 @@ struct discretisation *levels_next(const struct discretisation *d, int threads)
     if (sheet->mesh.discretisation == DISCRETISATION_TRIANGLE)
         return triangle_make(sheet, twice, threads);
     int per_stitch = is_spline(d) ? 1 : wanted > twice && wanted % twice ? wanted : twice;
-    return patch_make(sheet, &basis_hermite, per_stitch, GAUSS, threads);
+    return levels_patches(sheet, per_stitch, threads);
 }
 
 bool levels_passing(const struct discretisation *d)

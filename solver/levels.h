@@ -19,6 +19,9 @@ struct discretisation *levels_flat(const struct sheet *sheet, int threads);
 /* The level after this one: twice as fine, or as fine as asked for. */
 struct discretisation *levels_next(const struct discretisation *d, int threads);
 
+/* Bicubic patches, so many along a stitch's side, whatever the sheet asks for. */
+struct discretisation *levels_patches(const struct sheet *sheet, int per_stitch, int threads);
+
 /* Is there a finer level before the one asked for? */
 bool levels_passing(const struct discretisation *d);
 

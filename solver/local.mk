@@ -8,7 +8,7 @@ libsolver_a_SOURCES = \
     solver/dissection.c solver/dissection.h solver/springs.c solver/springs.h \
     solver/factor.c solver/factor.h solver/problem.c solver/problem.h solver/lbfgs.c \
     solver/newton.c solver/stopwatch.h solver/descent.c solver/descent.h \
-    solver/estimate.c solver/estimate.h solver/two_level.c solver/two_level.h solver/fold.c solver/fold_state.h solver/levels.c solver/levels.h solver/noise.h solver/shape.c solver/shape.h
+    solver/estimate.c solver/cross_check.c solver/cross_check.h solver/estimate.h solver/two_level.c solver/two_level.h solver/fold.c solver/fold_state.h solver/levels.c solver/levels.h solver/noise.h solver/shape.c solver/shape.h
 
 libsolver_a_SOURCES += \
     solver/triangle.c solver/triangle.h solver/triangle_mesh.c solver/triangle_mesh.h \

@@ -137,23 +137,64 @@ static void accuracy_is_met(void **state)
     sheet_free(s);
 }
 
+/* The energy of one pattern without discretisation error, from two and four patches a stitch's side. */
+static double limit_of(struct sheet *s)
+{
+    double energy[2];
+    for (int k = 0; k < 2; k++) {
+        s->mesh.per_stitch = 2 << k;
+        energy[k] = folded(s).energy.total;
+    }
+    return energy[1] - (energy[0] - energy[1]) / 3;
+}
+
+/* Triangles state an error on every mesh, by every method; it is above the true one and not far above. */
+static void triangles_state_their_error(void **state)
+{
+    (void)state;
+    static int (*const pattern[])(int, int) = {rib, checker, seed, NULL};
+    static const struct {
+        int         per_stitch;
+        enum method method;
+    } way[] = {{1, METHOD_AUTO}, {2, METHOD_AUTO}, {3, METHOD_AUTO}, {4, METHOD_AUTO}, {2, METHOD_LBFGS}};
+    for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) {
+        struct sheet *s = scene_sheet(8, 8, pattern[i]);
+        double limit = limit_of(s);
+        s->mesh.discretisation = DISCRETISATION_TRIANGLE;
+        s->solve.steps = 1;
+        for (size_t k = 0; k < sizeof way / sizeof *way; k++) {
+            s->mesh.per_stitch = way[k].per_stitch;
+            s->solve.method = way[k].method;
+            struct fold_record r = folded(s);
+            double scale = r.energy.total > r.energy_flat / 100 ? r.energy.total : r.energy_flat, error = fabs(r.energy.total - limit) / scale;
+            if (!(r.energy_error >= error && r.energy_error <= 2 * error + 5e-3 && r.shape_error > 0 && r.shape_error < 0.1))
+                fail_msg("pattern %zu, %d cells: %g stated, %g true; shape %g", i, way[k].per_stitch, r.energy_error,
+                         error, r.shape_error);
+        }
+        sheet_free(s);
+    }
+}
+
 /* Two discretisations that share nothing but the sheet come to one energy:
  * patches from above, triangles (in the end) from below, closer at each level. */
 static void discretisations_agree(void **state)
 {
     (void)state;
-    static int (*const pattern[])(int, int) = {rib, checker, seed};
+    static const struct {
+        int (*purl)(int, int);
+        int   columns, rows, cells;     /* of triangles, first; then twice as many */
+    } pattern[] = {{rib, 8, 8, 4}, {checker, 8, 8, 6}, {seed, 8, 8, 6}, {miura, 12, 23, 2}};
     for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) {
-        struct sheet *s = scene_sheet(8, 8, pattern[i]);
-        s->mesh.per_stitch = 4;
-        double patch = folded(s).energy.total, gap[2];
+        struct sheet *s = scene_sheet(pattern[i].columns, pattern[i].rows, pattern[i].purl);
+        s->solve.steps = 1;
+        double limit = limit_of(s), gap[2];
         s->mesh.discretisation = DISCRETISATION_TRIANGLE;
         for (int k = 0; k < 2; k++) {
-            s->mesh.per_stitch = k ? 12 : 6;
-            gap[k] = fabs(folded(s).energy.total - patch);
+            s->mesh.per_stitch = pattern[i].cells << k;
+            gap[k] = fabs(folded(s).energy.total - limit);
         }
-        assert_true(gap[1] < 0.6 * gap[0] || gap[1] < 2e-3 * patch);
-        assert_true(gap[1] < 0.05 * patch);
+        assert_true(gap[1] < 0.6 * gap[0] || gap[1] < 2e-3 * limit);
+        assert_true(gap[1] < 0.05 * limit);
         sheet_free(s);
     }
 }
@@ -401,6 +442,7 @@ int main(void)
         cmocka_unit_test(conjugate_gradients_reach_the_same_minimum),
         cmocka_unit_test(stated_error_bounds_the_true_one),
         cmocka_unit_test(accuracy_is_met),
+        cmocka_unit_test(triangles_state_their_error),
         cmocka_unit_test(discretisations_agree),
         cmocka_unit_test(compatible_roll),
         cmocka_unit_test(strips_of_any_width),
