@@ -15,6 +15,15 @@ const struct command command_table[] = {
      "A manifest beside the outputs says how they were made; with --from such a\n"
      "manifest the run is repeated elsewhere and its outputs are compared. --resume\n"
      "goes on with a run that was stopped or killed.\n"},
+    {"sweep", "FILE", 1, 1, command_sweep, "run every point of a script's sweep",
+     "Runs FILE once for each point of its `sweep`, several at a time, each in a\n"
+     "folder of its own below FILE.sweep (or --into DIR), and writes a table of all\n"
+     "as table.csv and table.jsonl there. A point that fails is recorded and the rest\n"
+     "go on. Called again it runs only what is not done: a point is done when it came\n"
+     "to an end with the same script, params, settings and outputs.\n"
+     "On many machines: --print lists independent commands, one for each point, as\n"
+     "GNU parallel wants them; in an array of jobs each runs --point K; --collect\n"
+     "then makes the table.\n"},
     {"check", "FILE...", 1, ANY_NUMBER, command_check, "check scripts, fold nothing",
      "Compiles each FILE, reports every error at its place and prints the size of\n"
      "the swatch.\n"},

@@ -19,6 +19,7 @@ extern const struct command command_table[];    /* ends with name = NULL; the fi
 const struct command *command_find(const char *name);
 
 enum status command_run(const struct options *options);
+enum status command_sweep(const struct options *options);
 enum status command_check(const struct options *options);
 enum status command_chart(const struct options *options);
 enum status command_write(const struct options *options);

@@ -22,6 +22,9 @@ libcli_a_SOURCES = \
     cli/script.c cli/script.h \
     cli/seeds.c cli/seeds.h \
     cli/streams.c cli/streams.h \
+    cli/sweep.c \
+    cli/sweep_point.c cli/sweep_point.h \
+    cli/sweep_table.c cli/sweep_table.h \
     cli/version.c \
     cli/waiting.c cli/waiting.h \
     cli/write.c

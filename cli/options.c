@@ -13,9 +13,10 @@
 
 #include "cli/command.h"
 #include "cli/import.h"
+#include "lang/limits.h"
 #include "lang/names.h"
 
-enum { THREADS_MAX = 1024, SEEDS_MAX = 1000 };
+enum { THREADS_MAX = 1024, SEEDS_MAX = 1000, POINTS_MAX = LIMIT_POINTS };
 
 /* ---- messages ---- */
 
@@ -89,6 +90,12 @@ static bool take_seeds(struct options *o, const struct option *option, const cha
     return o->seeds > 0;
 }
 
+static bool take_point(struct options *o, const struct option *option, const char *value)
+{
+    o->point = count_of(o, option, value, "a point", POINTS_MAX);
+    return o->point > 0;
+}
+
 static bool take_flag(struct options *o, const struct option *option, const char *value)
 {
     (void)value;
@@ -124,26 +131,30 @@ static bool take_word(struct options *o, const struct option *option, const char
 
 /* ---- the table ---- */
 
-#define SCRIPT "run check chart write params"
+#define SCRIPT "run sweep check chart write params"
+#define RUN "run sweep"
 #define READER SCRIPT " fmt import"
 
 const struct option option_table[] = {
-    {"-o", NULL, "[KIND:]PATH", "run chart write import", take_output, NULL, 0, "a file to write (may be repeated)"},
-    {"-D", NULL, "NAME=VALUE", "run check chart write", take_define, NULL, 0, "set a param of the script"},
+    {"-o", NULL, "[KIND:]PATH", "run sweep chart write import", take_output, NULL, 0, "a file to write (may be repeated)"},
+    {"-D", NULL, "NAME=VALUE", "run sweep check chart write", take_define, NULL, 0, "set a param of the script"},
     {"-I", NULL, "DIR", SCRIPT, take_include, NULL, 0, "look for used files here, too (and in $WEFT_PATH)"},
-    {NULL, "--accuracy", "PERCENT", "run", take_override, "solve.accuracy", 0, "wanted error of the energy, like 1%"},
-    {NULL, "--method", "NAME", "run", take_override, "solve.method", 0, "auto, newton, plbfgs or lbfgs"},
-    {NULL, "--discretisation", "NAME", "run", take_override, "mesh.discretisation", 0, "patch or triangle"},
-    {NULL, "--per-stitch", "N", "run", take_override, "mesh.per_stitch", 0, "cells along a stitch's side: auto, 1, 2, 4"},
-    {NULL, "--steps", "N", "run", take_override, "solve.steps", 0, "growth steps"},
-    {NULL, "--seed", "N", "run", take_override, "solve.seed", 0, "seed of the starting noise"},
-    {NULL, "--seeds", "N", "run", take_seeds, NULL, 0, "fold from N seeds, list all, keep the lowest"},
-    {"-j", NULL, "N", "run", take_threads, NULL, 0, "threads (default: one a processor)"},
+    {NULL, "--accuracy", "PERCENT", RUN, take_override, "solve.accuracy", 0, "wanted error of the energy, like 1%"},
+    {NULL, "--method", "NAME", RUN, take_override, "solve.method", 0, "auto, newton, plbfgs or lbfgs"},
+    {NULL, "--discretisation", "NAME", RUN, take_override, "mesh.discretisation", 0, "patch or triangle"},
+    {NULL, "--per-stitch", "N", RUN, take_override, "mesh.per_stitch", 0, "cells along a stitch's side: auto, 1, 2, 4"},
+    {NULL, "--steps", "N", RUN, take_override, "solve.steps", 0, "growth steps"},
+    {NULL, "--seed", "N", RUN, take_override, "solve.seed", 0, "seed of the starting noise"},
+    {NULL, "--seeds", "N", RUN, take_seeds, NULL, 0, "fold from N seeds, list all, keep the lowest"},
+    {"-j", NULL, "N", RUN, take_threads, NULL, 0, "threads; of a sweep: points at a time (default: one a processor)"},
     {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
-    {NULL, "--no-manifest", NULL, "run", take_flag, NULL, offsetof(struct options, no_manifest), "no .manifest.json beside what is written"},
+    {NULL, "--no-manifest", NULL, RUN, take_flag, NULL, offsetof(struct options, no_manifest), "no .manifest.json beside what is written"},
     {NULL, "--resume", NULL, "run", take_flag, NULL, offsetof(struct options, resume), "go on where a run was stopped or killed"},
     {NULL, "--from", "MANIFEST", "run", take_text, NULL, offsetof(struct options, from), "repeat that run, compare what it wrote"},
-    {NULL, "--into", "DIR", "run", take_text, NULL, offsetof(struct options, into), "with --from: keep what is written, in DIR"},
+    {NULL, "--into", "DIR", RUN, take_text, NULL, offsetof(struct options, into), "with --from: keep what is written, in DIR; of a sweep: its folder"},
+    {NULL, "--print", NULL, "sweep", take_flag, NULL, offsetof(struct options, print), "a command for each point, run nothing"},
+    {NULL, "--point", "K", "sweep", take_point, NULL, 0, "run point K alone, the first is 1"},
+    {NULL, "--collect", NULL, "sweep", take_flag, NULL, offsetof(struct options, collect), "make the table of the points there are"},
     {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},
     {NULL, "--key", "COLOURS", "import", take_text, NULL, offsetof(struct options, key), "what they mean: '#000000=k,#ffffff=p'"},
     {NULL, "--round", NULL, "write", take_flag, NULL, offsetof(struct options, round), "worked in the round"},
@@ -151,7 +162,7 @@ const struct option option_table[] = {
     {NULL, "--json", NULL, "params version", take_flag, NULL, offsetof(struct options, json), "as JSON"},
     {"-W", NULL, "error", SCRIPT, take_word, "error", offsetof(struct options, warnings), "treat warnings as errors"},
     {"-q", "--quiet", NULL, READER, take_flag, NULL, offsetof(struct options, quiet), "print errors alone"},
-    {"-v", "--verbose", NULL, "run", take_flag, NULL, offsetof(struct options, verbose), "say more about the solve"},
+    {"-v", "--verbose", NULL, RUN, take_flag, NULL, offsetof(struct options, verbose), "say more about the solve"},
     {NULL, "--color", "WHEN", READER, take_word, "auto always never", offsetof(struct options, color), "auto, always or never (and $NO_COLOR)"},
     {NULL, "--diagnostics", "FORM", READER, take_word, "human json", offsetof(struct options, diagnostics), "errors in a script: human or json"},
     {"-h", "--help", NULL, NULL, take_flag, NULL, offsetof(struct options, help), "explain the command"},
@@ -312,7 +323,7 @@ static enum status check_command(const struct options *options, const struct par
     }
     if (options->help)
         return STATUS_DONE;
-    if (options->into && !options->from)
+    if (options->into && !options->from && command->run != command_sweep)
         return options_wrong(options, "--into goes with --from");
     if (options->noperands < command->least && !options->from)
         return options_wrong(options, "%s wants a FILE", command->name);

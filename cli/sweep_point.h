@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * One point of a sweep: a script and a number in; the run's outputs, its report
+ * and a record in a folder of the point's own out. */
+#ifndef WEFT_SWEEP_POINT_H
+#define WEFT_SWEEP_POINT_H
+
+#include "cli/options.h"
+#include "output/file.h"
+
+#define SWEEP_REPORT "report.json"      /* in every point's folder */
+#define SWEEP_RECORD "point.json"       /* written last: the point is finished */
+
+struct sweep {
+    const struct options *options;      /* of `weft sweep` */
+    const char           *script;       /* path */
+    const char           *folder;       /* of all points */
+    int                   naxes;
+    const struct sweep_axis *axis;      /* (naxes), the first varies slowest */
+    int                   npoints;
+};
+
+/* What tells a point from the others; everything in an arena. */
+struct sweep_point {
+    int          number;                /* 1 to npoints */
+    const char **value;                 /* (naxes) texts that read back exactly */
+    const char  *name;                  /* "03-c=0.25-n=2" */
+    const char  *folder;
+};
+
+struct sweep_point sweep_point(const struct sweep *sweep, int number, struct arena *arena);
+
+/* Was the point run to its end from the same script, settings and outputs? */
+bool sweep_point_is_done(const struct sweep *sweep, int number);
+
+/* Runs it, unless it is done.  The run's status. */
+enum status sweep_point_run(const struct sweep *sweep, int number);
+
+#endif

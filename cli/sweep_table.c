@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The table of a sweep: the records and reports in its points' folders in; a
+ * row for each point, as CSV and as JSON lines, out. */
+#include <config.h>
+
+#include "cli/sweep_table.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "output/json.h"
+
+/* Columns after the params, by their place in the report: nothing that a clock or the machine decides. */
+static const char *const fields[] = {
+    "solve.status", "energy.total", "energy.stretching", "energy.bending", "energy.springs", "energy.flat",
+    "energy.error_estimate", "shape.extent_x", "shape.extent_y", "shape.extent_z", "shape.rms_height",
+    "shape.max_normal_curvature", "shape.error_estimate", "scene.rows", "scene.columns", "scene.knit", "scene.purl",
+    "discretisation.per_stitch", "discretisation.unknowns", "solve.iterations", "solve.evaluations",
+    "solve.factorisations", "solve.gradient_max", "solve.positive_definite", "solve.seed",
+};
+enum { NFIELDS = sizeof fields / sizeof *fields };
+
+/* Members of the report that differ from run to run. */
+static const char *const passing[] = {"time", "memory", "outputs"};
+
+/* A point's file as JSON, or NULL. */
+static cJSON *read_json(const struct sweep_point *point, const char *name, struct arena *arena)
+{
+    const char *why;
+    const struct source *source = source_read(arena, arena_printf(arena, "%s/%s", point->folder, name), &why);
+    return source ? cJSON_ParseWithLength(source->text, source->size) : NULL;
+}
+
+/* The report's value at "energy.total", or NULL. */
+static const cJSON *value_at(const cJSON *report, const char *path)
+{
+    char name[64];
+    const char *dot = strchr(path, '.');
+    snprintf(name, sizeof name, "%.*s", (int)(dot - path), path);
+    return cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(report, name), dot + 1);
+}
+
+static void print_header(const struct sweep *sweep, struct file *csv)
+{
+    file_print(csv, "point");
+    for (int i = 0; i < sweep->naxes; i++)
+        file_print(csv, ",%s", sweep->axis[i].param);
+    for (int i = 0; i < NFIELDS; i++)
+        file_print(csv, ",%s", fields[i]);
+    file_print(csv, "\n");
+}
+
+static void print_value(struct file *csv, const cJSON *value)
+{
+    char *text = value && !cJSON_IsNull(value) ? cJSON_PrintUnformatted(value) : NULL;
+    if (cJSON_IsString(value))
+        file_print(csv, ",%s", value->valuestring);
+    else
+        file_print(csv, ",%s", text ? text : "");
+    cJSON_free(text);
+}
+
+static void print_row(const struct sweep *sweep, const struct sweep_point *point, const cJSON *report, struct file *csv)
+{
+    file_print(csv, "%d", point->number);
+    for (int i = 0; i < sweep->naxes; i++)
+        file_print(csv, ",%s", point->value[i]);
+    if (!report)
+        file_print(csv, ",missing");
+    for (int i = report ? 0 : 1; i < NFIELDS; i++)
+        print_value(csv, report ? value_at(report, fields[i]) : NULL);
+    file_print(csv, "\n");
+}
+
+static void print_line(const struct sweep *sweep, const struct sweep_point *point, cJSON *report, struct file *jsonl)
+{
+    cJSON *line = cJSON_CreateObject(), *params;
+    json_integer(line, "point", point->number);
+    json_text(line, "folder", point->name);
+    params = cJSON_AddObjectToObject(line, "params");
+    for (int i = 0; i < sweep->naxes; i++)
+        json_number(params, sweep->axis[i].param, strtod(point->value[i], NULL));
+    for (size_t i = 0; i < sizeof passing / sizeof *passing; i++)
+        cJSON_DeleteItemFromObjectCaseSensitive(report, passing[i]);
+    if (report)
+        cJSON_AddItemReferenceToObject(line, "report", report);
+    else
+        cJSON_AddNullToObject(line, "report");
+    char *text = cJSON_PrintUnformatted(line);
+    file_write(jsonl, text, strlen(text));
+    file_write(jsonl, "\n", 1);
+    cJSON_free(text);
+    cJSON_Delete(line);
+}
+
+static void count_point(const cJSON *report, struct sweep_count *count)
+{
+    const cJSON *status = report ? value_at(report, "solve.status") : NULL;
+    const char *word = cJSON_IsString(status) ? status->valuestring : "";
+    if (strcmp(word, "converged") == 0 || strcmp(word, "precision") == 0)
+        count->good++;
+    else if (report)
+        count->other++;
+    else
+        count->missing++;
+}
+
+/* The report of a point that was run to its end, or NULL. */
+static cJSON *finished_report(const struct sweep_point *point, struct arena *arena)
+{
+    cJSON *record = read_json(point, SWEEP_RECORD, arena);
+    cJSON *report = record ? read_json(point, SWEEP_REPORT, arena) : NULL;
+    cJSON_Delete(record);
+    return report;
+}
+
+static void print_points(const struct sweep *sweep, struct file *const *csv, int ncsv, struct file *jsonl,
+                         struct sweep_count *count)
+{
+    for (int number = 1; number <= sweep->npoints; number++) {
+        struct arena arena = {0};
+        struct sweep_point point = sweep_point(sweep, number, &arena);
+        cJSON *report = finished_report(&point, &arena);
+        for (int i = 0; i < ncsv; i++)
+            print_row(sweep, &point, report, csv[i]);
+        count_point(report, count);
+        print_line(sweep, &point, report, jsonl);
+        cJSON_Delete(report);
+        arena_free(&arena);
+    }
+}
+
+bool sweep_table_write(const struct sweep *sweep, const char *const *also, int nalso, struct file_log *log,
+                       struct sweep_count *count)
+{
+    struct arena arena = {0};
+    struct file **csv = arena_array(&arena, struct file *, (size_t)nalso + 1);
+    struct file *jsonl = file_create(log, arena_printf(&arena, "%s/table.jsonl", sweep->folder));
+    int ncsv = 0;
+    bool done = jsonl != NULL;
+    *count = (struct sweep_count){0};
+    for (int i = 0; done && i <= nalso; i++) {
+        const char *path = i < nalso ? also[i] : arena_printf(&arena, "%s/table.csv", sweep->folder);
+        if ((csv[ncsv] = file_create(log, path)))
+            print_header(sweep, csv[ncsv++]);
+        else
+            done = false;
+    }
+    if (done)
+        print_points(sweep, csv, ncsv, jsonl, count);
+    if (jsonl)
+        done = file_commit(jsonl) && done;
+    for (int i = 0; i < ncsv; i++)
+        done = file_commit(csv[i]) && done;
+    arena_free(&arena);
+    return done;
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The table of a sweep: the records and reports in its points' folders in; a
+ * row for each point, as CSV and as JSON lines, out. */
+#ifndef WEFT_SWEEP_TABLE_H
+#define WEFT_SWEEP_TABLE_H
+
+#include "cli/sweep_point.h"
+
+/* How many points ended how. */
+struct sweep_count {
+    int good;           /* converged, to the tolerance or to rounding */
+    int other;          /* ended some other way */
+    int missing;        /* not run to an end */
+};
+
+/* Writes table.csv and table.jsonl into the sweep's folder, and the CSV to each
+ * path of also (nalso), which are the script's own tables.  false: see log->error. */
+bool sweep_table_write(const struct sweep *sweep, const char *const *also, int nalso, struct file_log *log,
+                       struct sweep_count *count);
+
+#endif

@@ -1,0 +1,83 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# weft sweep: a folder for each point, one table, points that are done, points that fail.
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+
+cat >"$work/s.knit" <<'KNIT'
+param c = 0.5 in 0..2
+param n = 2 in 1..4
+stitch K { kx = -c; ky = c }
+swatch each (x, y) in 2*n by 2 : x < n ? K : P
+sweep c in [0, 0.5], n in 1..2
+solve { steps = 2 }
+output "s-{n}.stl"
+KNIT
+here=$PWD
+cd "$work" || exit 1
+value() { "$here/tests/cli/json" "$1" "$2"; }
+column() { awk -F , -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) at = i } NR > 1 { print $at }' s.sweep/table.csv; }
+
+# ---- all points ----
+
+exits 0 'a sweep' "$WEFT" sweep s.knit -j 2
+out 'counts its points' '^4 points: 4 converged, 0 ended otherwise, 0 missing$'
+check 'a line for each' test "$(grep -c '^\[[1-4]/4\] .*: converged$' err)" = 4
+holds 'a folder for each, and the table' s.sweep table.csv table.jsonl \
+    1-c=0-n=1 2-c=0-n=2 3-c=0.5-n=1 4-c=0.5-n=2 \
+    1-c=0-n=1/log.txt 1-c=0-n=1/point.json 1-c=0-n=1/report.json 1-c=0-n=1/report.manifest.json 1-c=0-n=1/s-1.stl \
+    2-c=0-n=2/log.txt 2-c=0-n=2/point.json 2-c=0-n=2/report.json 2-c=0-n=2/report.manifest.json 2-c=0-n=2/s-2.stl \
+    3-c=0.5-n=1/log.txt 3-c=0.5-n=1/point.json 3-c=0.5-n=1/report.json 3-c=0.5-n=1/report.manifest.json \
+    3-c=0.5-n=1/s-1.stl 4-c=0.5-n=2/log.txt 4-c=0.5-n=2/point.json 4-c=0.5-n=2/report.json \
+    4-c=0.5-n=2/report.manifest.json 4-c=0.5-n=2/s-2.stl
+check 'the last param varies fastest' test "$(column c | tr '\n' ' ')$(column n | tr '\n' ' ')" = '0 0 0.5 0.5 1 2 1 2 '
+"$WEFT" run s.knit -q -D c=0.5 -D n=2 -j 1 --no-manifest -o one.json -o one.stl
+check 'a point is the run with its params' cmp one.stl s.sweep/4-c=0.5-n=2/s-2.stl
+check 'its energy stands in the table' test "$(column energy.total | sed -n 4p)" = "$(value one.json energy.total)"
+check 'and in the lines' grep -q "^{\"point\":4,.*\"c\":0.5,\"n\":2.*\"status\":\"converged\"" s.sweep/table.jsonl
+
+# ---- what is done is not done again ----
+
+cp -r s.sweep before
+exits 0 'the same sweep again' "$WEFT" sweep s.knit -j 2
+out 'finds all done' '^4 of 4 points were done before$'
+check 'and the same table' cmp s.sweep/table.csv before/table.csv
+check 'nothing is touched' test ! s.sweep/1-c=0-n=1/report.json -nt before/table.csv
+rm s.sweep/3-*/point.json
+exits 0 'a point that is not finished' "$WEFT" sweep s.knit -j 2
+check 'is the only one to run' test "$(grep -c converged err)" = 1
+check 'to the same lines' cmp s.sweep/table.jsonl before/table.jsonl
+exits 0 'another setting' "$WEFT" sweep s.knit -q -j 2 --seed 7
+check 'runs all again' test "$(column solve.seed | sort -u)" = 7
+
+# ---- on many machines ----
+
+rm -rf s.sweep
+exits 0 'commands' "$WEFT" sweep s.knit --print --into 'two words'
+cp out commands
+check 'one for each point' test "$(wc -l <commands)" = 4
+check 'nothing is made' test ! -e s.sweep
+exits 1 'nothing to collect yet' "$WEFT" sweep s.knit --collect --into 'two words'
+out 'all are missing' '^4 points: 0 converged, 0 ended otherwise, 4 missing$'
+check 'they run in any order' sh -c 'sort -r commands | sh -e >log 2>&1'
+exits 0 'collected' "$WEFT" sweep s.knit --collect --into 'two words'
+check 'into the same table' cmp 'two words/table.csv' before/table.csv
+
+# ---- what goes wrong ----
+
+sed 's/sweep c.*/sweep n in 1..3/; s/2\*n by 2/(n == 2 ? 5 : 2*n) by 2/; s/x < n/(n == 3 \&\& x == 1 ? z : x < n)/' s.knit >bad.knit
+exits 1 'a point with an error in the script' "$WEFT" sweep bad.knit -j 2
+out 'is missing, the others are there' '^3 points: 2 converged, 0 ended otherwise, 1 missing$'
+check 'its log says why' grep -q 'error:' bad.sweep/3-n=3/log.txt
+sed 's/steps = 2/steps = 2; max_iterations = 3/' s.knit >short.knit
+exits 1 'points that do not converge' "$WEFT" sweep short.knit -q -j 2
+check 'are recorded as such' test "$(cut -d , -f 4 short.sweep/table.csv | sort -u | tr '\n' ' ')" = 'converged iteration_limit solve.status '
+sed '/^sweep/d' s.knit >none.knit
+exits 3 'no sweep' "$WEFT" sweep none.knit
+err 'is said' 'there is no sweep in this script'
+exits 2 'standard input' "$WEFT" sweep -
+exits 2 'a point that is not there' "$WEFT" sweep s.knit --point 5
+err 'says how many there are' 'has 4 points, there is no point 5'
+exits 2 'a point that is none' "$WEFT" sweep s.knit --point 0
+exits 4 'a folder that cannot be made' "$WEFT" sweep s.knit --into missing/folder
+
+finish
