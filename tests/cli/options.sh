@@ -21,7 +21,7 @@ wrong 'a command that is like no other' "no command or file 'wxyz'" wxyz
 wrong 'an unknown option' "unknown option '--stepps'; did you mean --steps?" run "$work/rib.knit" --stepps 3
 wrong 'an unknown option with a value' "unknown option '--acuracy'; did you mean --accuracy?" "$work/rib.knit" --acuracy=1%
 wrong 'an unknown letter' "unknown option '-z'" check -z "$work/rib.knit"
-wrong 'an option of another command' 'check has no option --steps (it belongs to: run)' check --steps 3 "$work/rib.knit"
+wrong 'an option of another command' 'check has no option --steps (it belongs to: run sweep)' check --steps 3 "$work/rib.knit"
 wrong 'an option without its value' '--seed wants a value' "$work/rib.knit" --seed
 wrong 'a value for an option that takes none' '--quiet takes no value' "$work/rib.knit" --quiet=yes
 wrong 'run without a file' 'run wants a FILE' run
