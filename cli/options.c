@@ -146,7 +146,7 @@ const struct option option_table[] = {
     {NULL, "--steps", "N", RUN, take_override, "solve.steps", 0, "growth steps"},
     {NULL, "--seed", "N", RUN, take_override, "solve.seed", 0, "seed of the starting noise"},
     {NULL, "--seeds", "N", RUN, take_seeds, NULL, 0, "fold from N seeds, list all, keep the lowest"},
-    {"-j", NULL, "N", RUN, take_threads, NULL, 0, "threads, or points at a time (default: processors)"},
+    {"-j", NULL, "N", RUN, take_threads, NULL, 0, "threads, or points at a time (default: all)"},
     {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
     {NULL, "--no-manifest", NULL, RUN, take_flag, NULL, offsetof(struct options, no_manifest), "no .manifest.json beside what is written"},
     {NULL, "--resume", NULL, "run", take_flag, NULL, offsetof(struct options, resume), "go on where a run was stopped or killed"},
