@@ -21,7 +21,7 @@ enum status command_write(const struct options *options)
     if (status == STATUS_DONE)
         status = script_knit_and_purl(scene);
     if (status == STATUS_DONE) {
-        written_pattern(&text, scene->grid, options->round);
+        written_pattern(&text, scene->grid, options->round || scene->round);
         status = deliver_script(options, &text, scene->file, scene->grid);
     }
     script_free(&script);

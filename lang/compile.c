@@ -19,6 +19,7 @@ struct compilation {
     struct settings settings;
     struct outputs outputs;
     const struct grid *grid;
+    bool round; /* its rows are rounds */
     const struct sweep_axis *axis;
     int naxes;
 };
@@ -269,6 +270,7 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
         body_statement(eval, (struct where){eval->main, NULL}, stmt, &body);
     }
     *where = body.first;
+    c->round = rows_round(body.rows);
     return body.first.source && !body.failed ? grid_of_body(c, &body) : NULL;
 }
 
@@ -385,6 +387,7 @@ static const struct scene *scene_of(struct compilation *c)
     memcpy(stitch, eval->stitch, (size_t)eval->nstitches * sizeof *stitch);
     scene->file = eval->main->source->name;
     scene->grid = c->grid;
+    scene->round = c->round;
     scene->nstitches = eval->nstitches;
     scene->stitch = stitch;
     scene->noutputs = c->outputs.n;

@@ -63,6 +63,11 @@ bool rows_good(const struct row_list *list)
     return !list->failed;
 }
 
+bool rows_round(const struct row_list *list)
+{
+    return list->round;
+}
+
 int rows_count(const struct row_list *list)
 {
     return list->norder;

@@ -87,6 +87,7 @@ bool rows_finish(struct row_list *);
 /* Whether every text is good. */
 bool rows_good(const struct row_list *);
 
+bool rows_round(const struct row_list *);
 int rows_count(const struct row_list *);
 int rows_last_label(const struct row_list *);
 

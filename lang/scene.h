@@ -112,6 +112,7 @@ struct sweep_axis {
 struct scene {
     const char              *file;          /* as given, "-" for standard input */
     const struct grid       *grid;
+    bool                     round;         /* the script's own rows are rounds: worked from the right side alone */
     int                      nstitches;
     const struct stitch     *stitch;        /* (nstitches), K and P first */
     struct gauge             gauge;

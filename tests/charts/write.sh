@@ -161,4 +161,12 @@ exits 3 'one that has too many rows of its own' "$WEFT" write "$work/noise.knit"
 err 'is refused with the reason' 'noise.knit: this fabric cannot be written as a script: a row number is'
 empty 'and nothing comes out' "$work/out"
 
+# Rounds stay rounds.
+printf 'Cast on 4\nRnd 1: *k2, p2; rep from *\nRnd 2: knit\n' >"$work/rounds.knit"
+exits 0 'a script of rounds' "$WEFT" write "$work/rounds.knit"
+out 'is written as rounds' '^Rnd 2: knit'
+printf 'Cast on 4\nRow 1: knit\nRow 2: purl\n' >"$work/rows.knit"
+exits 0 'a script of rows' "$WEFT" write "$work/rows.knit"
+out 'is written as rows' '^Row 2 (WS): purl'
+
 finish

@@ -8,6 +8,14 @@ shift
 mkdir -p "$folder/objects"
 sh "$WEFT_SOURCE/tests/fuzz/seeds.sh" "$folder/seeds"
 
+# A header that changed makes everything anew.
+for file in $FUZZ_SOURCES; do
+    [ -f "$file" ] || file=$WEFT_SOURCE/$file
+    case $file in
+    *.h) [ "$folder/objects/built" -nt "$file" ] || rm -f "$folder"/objects/* ;;
+    esac
+done
+
 objects=
 for file in $FUZZ_SOURCES; do
     case $file in
@@ -19,6 +27,7 @@ for file in $FUZZ_SOURCES; do
     # shellcheck disable=SC2086
     [ "$object" -nt "$file" ] || $FUZZ_CC -std=gnu11 $FUZZ_FLAGS -fsanitize=fuzzer-no-link $FUZZ_CPPFLAGS -c -o "$object" "$file"
 done
+touch "$folder/objects/built"
 
 failed=0
 for target; do

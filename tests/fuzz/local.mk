@@ -16,7 +16,7 @@ fuzz: weft$(EXEEXT) stdlib/embedded.c lang/parser.h
 	@if test -z '$(FUZZ_CC)'; then echo 'make fuzz needs clang with libFuzzer; configure found none' >&2; exit 1; fi
 	@WEFT='$(abs_top_builddir)/weft' WEFT_SOURCE='$(abs_top_srcdir)' FUZZ_CC='$(FUZZ_CC)' FUZZ_FLAGS='$(FUZZ_FLAGS)' \
 	FUZZ_CPPFLAGS='-I. -I$(srcdir) $(PNG_CFLAGS)' FUZZ_LIBS='$(PNG_LIBS) -lm' \
-	FUZZ_SOURCES='$(FUZZ_FILES) stdlib/embedded.c tests/fuzz/target.c' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
+	FUZZ_SOURCES='$(FUZZ_FILES) stdlib/embedded.c tests/fuzz/target.h tests/fuzz/target.c' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
 	    $(SHELL) $(srcdir)/tests/fuzz/fuzz.sh $(fuzz_folder) $(FUZZ_TARGETS)
 clean-local-fuzz:
 	rm -rf $(fuzz_folder)
