@@ -17,6 +17,7 @@
 #include "cli/script.h"
 #include "output/chart.h"
 #include "output/obj.h"
+#include "output/page.h"
 #include "output/portrait.h"
 #include "output/ply.h"
 #include "output/stl.h"
@@ -27,23 +28,25 @@ enum { SAMPLES_DEFAULT = 2, SAMPLES_PICTURE = 4 };
 
 /* ---- what can be written ---- */
 
-enum due { DUE_CHART, DUE_STEP, DUE_FINAL, DUE_REPORT };
+/* When: of a writer, all its times; of an occasion, one. */
+enum due { DUE_CHART = 1, DUE_STEP = 2, DUE_FINAL = 4, DUE_REPORT = 8 };
 
 /* What is known when outputs are due: the members that make sense then. */
 struct occasion {
     enum due                 due;
     const struct fold_step  *step;
     const struct fold_state *state;
+    const struct fold_record *record;
     const struct report     *report;
 };
 
 typedef bool write_output(struct outputs *outputs, int index, const struct occasion *now);
-static write_output write_report, write_chart, write_step, write_mesh;
+static write_output write_report, write_chart, write_step, write_mesh, write_page;
 
 static const struct writer {
     enum output_kind kind;
     const char      *extension;     /* the only one of the kind, NULL: any */
-    enum due         due;
+    unsigned         due;
     write_output    *write;
 } writers[] = {
     {OUTPUT_REPORT, NULL,   DUE_REPORT, write_report},
@@ -58,6 +61,7 @@ static const struct writer {
     {OUTPUT_STL,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_GLB,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_PICTURE, NULL,  DUE_FINAL,  write_mesh},
+    {OUTPUT_HTML,   NULL,   DUE_STEP | DUE_FINAL, write_page},
 };
 enum { NWRITERS = sizeof writers / sizeof writers[0] };
 
@@ -115,6 +119,17 @@ static enum status check_kind(const struct scene *scene, const struct output *ou
     return status_of(output);
 }
 
+/* A kind that this binary could write had it been built with all. */
+static enum status check_built(const struct scene *scene, const struct output *output)
+{
+    if (output->kind != OUTPUT_HTML || page_is_there())
+        return STATUS_DONE;
+    print_place(scene, output);
+    fprintf(stderr, "this weft cannot write the page '%s': npm or its registry was missing when it was built "
+                    "(README.md, 'The page')\n", output->path);
+    return status_of(output);
+}
+
 static enum status check_path(struct outputs *outputs, const struct output *output)
 {
     if (file_check(&outputs->log, output->path))
@@ -129,13 +144,16 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
     *outputs = (struct outputs){.scene = scene, .log.into = outputs->log.into};
     outputs->pvd = calloc((size_t)scene->noutputs + 1, sizeof *outputs->pvd);
     outputs->glb = calloc((size_t)scene->noutputs + 1, sizeof *outputs->glb);
-    if (!outputs->pvd || !outputs->glb)
+    outputs->page = calloc((size_t)scene->noutputs + 1, sizeof *outputs->page);
+    if (!outputs->pvd || !outputs->glb || !outputs->page)
         return STATUS_FAILED;
     for (int i = 0; i < scene->noutputs; i++) {
         const struct output *output = &scene->output[i];
         enum status status = check_kind(scene, output);
         if (status == STATUS_DONE)
             status = outputs_check_chart((struct chart_file){output->kind, output->path}, scene);
+        if (status == STATUS_DONE)
+            status = check_built(scene, output);
         if (status == STATUS_DONE)
             status = check_path(outputs, output);
         if (status != STATUS_DONE)
@@ -144,6 +162,8 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
             outputs->pvd[i] = pvd_begin(&outputs->log, output->path, scene, output->format);
         if (output->kind == OUTPUT_GLB)
             outputs->glb[i] = glb_begin(scene);
+        if (output->kind == OUTPUT_HTML)
+            outputs->page[i] = page_begin(scene);
     }
     return STATUS_DONE;
 }
@@ -154,8 +174,11 @@ void outputs_end(struct outputs *outputs)
         pvd_end(&outputs->pvd[i]);
     for (int i = 0; outputs->glb && i < outputs->scene->noutputs; i++)
         glb_end(&outputs->glb[i]);
+    for (int i = 0; outputs->page && i < outputs->scene->noutputs; i++)
+        page_end(outputs->page[i]);
     free(outputs->pvd);
     free(outputs->glb);
+    free(outputs->page);
     file_log_free(&outputs->log);
 }
 
@@ -196,7 +219,8 @@ bool outputs_write_chart(struct file_log *log, struct chart_file chart, const st
 static struct surface sample(const struct scene *scene, int index, const struct fold_state *state)
 {
     const struct output *output = &scene->output[index];
-    int usual = output->kind == OUTPUT_PICTURE ? SAMPLES_PICTURE : SAMPLES_DEFAULT;
+    int usual = output->kind == OUTPUT_PICTURE ? SAMPLES_PICTURE
+              : output->kind == OUTPUT_HTML    ? page_per_stitch(scene) : SAMPLES_DEFAULT;
     struct surface surface = surface_make(scene->grid->columns, scene->grid->rows,
                                           output->per_stitch > 0 ? output->per_stitch : usual);
     fold_sample(state, &surface);
@@ -257,6 +281,20 @@ static bool keep_step(struct outputs *outputs, int index, const struct occasion 
     return done;
 }
 
+/* Gathers the steps; the page is written with the last. */
+static bool write_page(struct outputs *outputs, int index, const struct occasion *now)
+{
+    struct page *page = outputs->page[index];
+    if (now->due == DUE_FINAL)
+        return page_write(page, &outputs->log, outputs->scene->output[index].path, now->record);
+    if (page_wants(page, now->step)) {
+        struct surface surface = sample(outputs->scene, index, now->state);
+        page_add(page, now->step, &surface);
+        surface_free(&surface);
+    }
+    return true;
+}
+
 /* All outputs that are due. */
 static bool write_due(struct outputs *outputs, const struct occasion *now)
 {
@@ -265,7 +303,7 @@ static bool write_due(struct outputs *outputs, const struct occasion *now)
     for (int i = 0; i < outputs->scene->noutputs && done; i++) {
         const struct output *output = &outputs->scene->output[i];
         const struct writer *writer = find_writer(output->kind, output->path);
-        if (writer->due == now->due)
+        if (writer->due & now->due)
             done = writer->write(outputs, i, now);
         else if (now->due == DUE_STEP && output->kind == OUTPUT_GLB)
             done = keep_step(outputs, i, now);
@@ -284,9 +322,9 @@ bool outputs_step(struct outputs *outputs, const struct fold_step *step, const s
     return write_due(outputs, &(struct occasion){.due = DUE_STEP, .step = step, .state = state});
 }
 
-bool outputs_final(struct outputs *outputs, const struct fold_state *state)
+bool outputs_final(struct outputs *outputs, const struct fold_state *state, const struct fold_record *record)
 {
-    return write_due(outputs, &(struct occasion){.due = DUE_FINAL, .state = state});
+    return write_due(outputs, &(struct occasion){.due = DUE_FINAL, .state = state, .record = record});
 }
 
 bool outputs_report(struct outputs *outputs, struct report *report)

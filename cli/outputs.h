@@ -16,6 +16,7 @@ struct outputs {
     struct file_log     log;
     struct pvd         *pvd;        /* (scene->noutputs), begun where the output is a collection */
     struct glb         *glb;        /* (scene->noutputs), begun where the output is one */
+    struct page       **page;       /* (scene->noutputs), begun where the output is a page */
     double              write_s;    /* wall seconds so far */
 };
 
@@ -28,7 +29,7 @@ void        outputs_end(struct outputs *outputs);
 /* Each writes the outputs that are due then; false: see outputs->log.error. */
 bool outputs_chart(struct outputs *outputs);
 bool outputs_step(struct outputs *outputs, const struct fold_step *step, const struct fold_state *state);
-bool outputs_final(struct outputs *outputs, const struct fold_state *state);
+bool outputs_final(struct outputs *outputs, const struct fold_state *state, const struct fold_record *record);
 bool outputs_report(struct outputs *outputs, struct report *report);
 
 /* Growth steps a collection has so far; -1: the output is not a collection. */

@@ -221,7 +221,7 @@ static enum status fold_and_write(struct run *run)
 
     written = written && !run->outputs.log.error && !interrupt_asked();
     bool folded = written && state && run->record.status != FOLD_FAILED;
-    written = written && (!folded || outputs_final(&run->outputs, state)) && write_records(run);
+    written = written && (!folded || outputs_final(&run->outputs, state, &run->record)) && write_records(run);
     checkpoint_close(&run->checkpoint, written);
     fold_free(state);
     sheet_free(sheet);

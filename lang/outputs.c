@@ -211,7 +211,7 @@ static const struct output_key {
     unsigned kinds;
     struct key key;
 } output_keys[] = {
-    {SURFACES | OF(PICTURE), {.name = "per_stitch", .type = KEY_WHOLE, .low = 1, .high = 64, .offset = AT(per_stitch)}},
+    {SURFACES | OF(PICTURE) | OF(HTML), {.name = "per_stitch", .type = KEY_WHOLE, .low = 1, .high = 64, .offset = AT(per_stitch)}},
     {OF(PVD) | OF(VTP), {.name = "format", WORDS(KEY_WORD, "binary", formats), .offset = AT(format)}},
     {OF(PICTURE), {.name = "view", WORDS(KEY_ANGLES, "iso", views), .angles = view_angles, .offset = AT(picture.view)}},
     {OF(PICTURE), {.name = "light", WORDS(KEY_ANGLES, "left", lights), .angles = light_angles, .offset = AT(picture.light)}},

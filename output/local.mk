@@ -9,6 +9,8 @@ liboutput_a_SOURCES = \
     output/little.h \
     output/number.h \
     output/obj.c output/obj.h \
+    output/page.c output/page.h \
+    output/page_pack.c output/page_pack.h \
     output/palette.c output/palette.h \
     output/portrait.c output/portrait.h \
     output/ply.c output/ply.h \
