@@ -7,3 +7,4 @@ include tests/cli/local.mk
 include tests/stress/local.mk
 include tests/fuzz/local.mk
 include tests/tools/local.mk
+include tests/page/local.mk

@@ -299,7 +299,7 @@ export class Fold {
     look(view) {
         const half = Math.tan(this.camera.fov * Math.PI / 360) * Math.min(1, this.camera.aspect);
         this.controls.target.set(0, 0, 0);
-        this.camera.position.fromArray(views[view]).setLength(0.86 * this.radius / Math.sin(Math.atan(half)));
+        this.camera.position.fromArray(views[view]).setLength(0.94 * this.radius / Math.sin(Math.atan(half)));
         this.controls.update();
         this.invalidate();
     }

@@ -1,0 +1,51 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The page in a headless Chromium: what a person sees, turns and points at.
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+
+cp "$WEFT_SOURCE/examples/rib.knit" "$work/a <b> & c.knit"
+cd "$work" || exit 1
+if [ ! -s "$WEFT_SOURCE/viewer/template.html" ]; then
+    exits 2 'a weft built without the page says so' "$WEFT" "a <b> & c.knit" -q -o page.html
+    err 'and why' "cannot write the page 'page.html': npm"
+    skip 'the page' 'built without npm'
+    finish
+    exit
+fi
+
+exits 0 'a page is written' "$WEFT" "a <b> & c.knit" -q -o page.html
+cp page.html once.html
+exits 0 'and again' "$WEFT" "a <b> & c.knit" -q -o page.html
+check 'the same bytes' cmp once.html page.html
+check 'the title is the file' grep -Fx 'a &#60;b> &#38; c.knit' page.html
+check 'data end no script' test "$(grep -c '</script>' page.html)" = 2
+
+# The size depends on stitches, steps and the folded shape, little on how closely it is solved.
+cat >miura.knit <<'KNIT'
+use miura from std
+swatch tile(miura, 4, 4)
+solve { steps = 10; accuracy = 50%; tolerance = 0.001 }
+output "miura.html"
+KNIT
+"$WEFT" miura.knit -q >/dev/null 2>&1
+check 'the Miura swatch with ten steps is under 3 MB' \
+    awk -v size="$(wc -c <miura.html)" 'BEGIN { exit !(size > 1e6 && size < 3e6) }'
+
+if ! command -v node >/dev/null 2>&1 || [ ! -d "$WEFT_SOURCE/viewer/node_modules/playwright-core" ]; then
+    skip 'in a browser' 'no playwright-core (npm)'
+elif ! command -v chromium >/dev/null 2>&1; then
+    skip 'in a browser' 'no chromium'
+else
+    node "$WEFT_SOURCE/tests/page/browser.js" "$(command -v chromium)" "$work/page.html" "$WEFT_SOURCE/viewer" \
+        >"$work/tests" 2>"$work/trouble"
+    while read -r result name; do
+        case $result in
+            pass) pass "$name" ;;
+            fail) fail "$name" ;;
+            *) echo "# $result $name" ;;
+        esac
+    done <"$work/tests"
+    check 'all of it was tried' grep -qx 'done' "$work/tests"
+    sed 's/^/# /' "$work/trouble"
+fi
+finish
