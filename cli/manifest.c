@@ -34,7 +34,8 @@ char *manifest_path(const struct scene *scene, const char *extension)
     char *path = NULL;
     for (int i = scene->noutputs - 1; i >= 0; i--) {
         const struct output *o = &scene->output[i];
-        if (file_is_plain(o->path) && (o->kind == OUTPUT_REPORT || !beside || beside->kind != OUTPUT_REPORT))
+        bool written = o->kind != OUTPUT_TABLE && file_is_plain(o->path);
+        if (written && (o->kind == OUTPUT_REPORT || !beside || beside->kind != OUTPUT_REPORT))
             beside = o;
     }
     if (!beside)
@@ -47,11 +48,12 @@ char *manifest_path(const struct scene *scene, const char *extension)
     return path;
 }
 
-/* Adds the working folder as seen from the folder of path: "." or "../..", or its full name where that is no short way. */
-static void add_folder(cJSON *command, const char *path)
+/* Adds the working folder as seen from that of path, below into (or NULL): "." or "../..", or its full name where
+ * that is no short way. */
+static void add_folder(cJSON *command, const char *into, const char *path)
 {
     char here[PATH_MAX] = ".", there[PATH_MAX], back[PATH_MAX] = ".", folder[PATH_MAX];
-    snprintf(folder, sizeof folder, "%.*s.", folder_length(path), path);
+    snprintf(folder, sizeof folder, "%s%s%.*s.", into ? into : "", into ? "/" : "", folder_length(path), path);
     bool known = getcwd(here, sizeof here) && realpath(folder, there);
     size_t n = strlen(here);
     bool below = known && strncmp(here, there, n) == 0 && (there[n] == '/' || !there[n]);
@@ -76,7 +78,7 @@ static void add_command(cJSON *root, const struct run *run, const char *path)
     for (int i = 1; i < o->argc; i++)
         if (strcmp(o->argv[i], "--resume") != 0)    /* how far it got at first makes no difference */
             cJSON_AddItemToArray(arguments, cJSON_CreateString(o->argv[i]));
-    add_folder(command, path);
+    add_folder(command, run->into, path);
     if (weft_path)
         json_text(command, "weft_path", weft_path);
     json_integer(command, "threads", run->record.threads);

@@ -28,7 +28,7 @@ enum { SAMPLES_DEFAULT = 2, SAMPLES_PICTURE = 4 };
 
 /* ---- what can be written ---- */
 
-/* When: of a writer, all its times; of an occasion, one. */
+/* When: of a writer, all its times (0: not by a run but by a sweep); of an occasion, one. */
 enum due { DUE_CHART = 1, DUE_STEP = 2, DUE_FINAL = 4, DUE_REPORT = 8 };
 
 /* What is known when outputs are due: the members that make sense then. */
@@ -61,6 +61,7 @@ static const struct writer {
     {OUTPUT_STL,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_GLB,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_PICTURE, NULL,  DUE_FINAL,  write_mesh},
+    {OUTPUT_TABLE,  NULL,   0,          NULL},
     {OUTPUT_HTML,   NULL,   DUE_STEP | DUE_FINAL, write_page},
 };
 enum { NWRITERS = sizeof writers / sizeof writers[0] };
@@ -106,11 +107,22 @@ static enum status status_of(const struct output *output)
     return output->line > 0 ? STATUS_SCRIPT : STATUS_USAGE;
 }
 
-static enum status check_kind(const struct scene *scene, const struct output *output)
+/* A run asked for a table: a script may say what its sweep writes, -o may not. */
+static enum status check_table(const struct outputs *outputs, const struct output *output)
 {
-    if (find_writer(output->kind, output->path))
+    if (output->line > 0 || outputs->log.into)
         return STATUS_DONE;
-    print_place(scene, output);
+    print_place(outputs->scene, output);
+    fprintf(stderr, "a table is written by `weft sweep`; the chart would be chart:%s\n", output->path);
+    return STATUS_USAGE;
+}
+
+static enum status check_kind(const struct outputs *outputs, const struct output *output)
+{
+    const struct writer *writer = find_writer(output->kind, output->path);
+    if (writer)
+        return writer->due == 0 ? check_table(outputs, output) : STATUS_DONE;
+    print_place(outputs->scene, output);
     fprintf(stderr, "this weft cannot write the %s '%s'; it can write:", output_kind_name(output->kind), output->path);
     for (const struct writer *w = writers; w < writers + NWRITERS; w++)
         fprintf(stderr, "%s %s%s%s%s", w == writers ? "" : ",", output_kind_name(w->kind), w->extension ? " (" : "",
@@ -149,7 +161,7 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
         return STATUS_FAILED;
     for (int i = 0; i < scene->noutputs; i++) {
         const struct output *output = &scene->output[i];
-        enum status status = check_kind(scene, output);
+        enum status status = check_kind(outputs, output);
         if (status == STATUS_DONE)
             status = outputs_check_chart((struct chart_file){output->kind, output->path}, scene);
         if (status == STATUS_DONE)

@@ -77,6 +77,11 @@ static void print_files(const struct run *run)
             printf(" and its %d steps", steps);
         before = ",";
     }
+    for (int i = 0; i < scene->noutputs; i++)
+        if (scene->output[i].kind == OUTPUT_TABLE) {
+            printf("%sthe table %s is of `weft sweep`", *before == ',' ? "; " : "", scene->output[i].path);
+            before = ",";
+        }
     if (manifest)
         printf("; manifest %s", manifest);
     free(manifest);
@@ -171,9 +176,11 @@ static void print_plan(const struct scene *scene, int seeds)
         forecast.seconds *= seeds + 1;
     }
     printf(forecast.seconds < 10 ? "about %.2g s, %.2g GB\n" : "about %.0f s, %.2g GB\n", forecast.seconds, forecast.bytes / 1e9);
+    int n = 0;
     for (int i = 0; i < scene->noutputs; i++)
-        printf("%s %s", i == 0 ? "would write" : ",", scene->output[i].path);
-    printf("%s", scene->noutputs > 0 ? "\n" : "");
+        if (scene->output[i].kind != OUTPUT_TABLE)
+            printf("%s %s", n++ == 0 ? "would write" : ",", scene->output[i].path);
+    printf("%s", n > 0 ? "\n" : "");
 }
 
 /* Where several seeds are asked for, leaves the sheet with the one to keep; false: interrupted. */

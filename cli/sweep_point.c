@@ -39,6 +39,42 @@ struct sweep_point sweep_point(const struct sweep *sweep, int number, struct are
     return point;
 }
 
+/* The name of the option that sets a block's key. */
+static const char *option_of_key(const char *key)
+{
+    const struct option *o = option_table;
+    while (!o->key || strcmp(o->key, key) != 0)
+        o++;
+    return o->name;
+}
+
+static void add_words(const char **word, int *n, const char *option, const char *value)
+{
+    word[(*n)++] = option;
+    word[(*n)++] = value;
+}
+
+/* The words of a plain run with those of the options that its outputs follow from: what the point's manifest says. */
+static char **run_words(const struct options *o, const char *script, struct arena *arena, int *n)
+{
+    int room = 5 + 2 * (o->ndefines + o->nsets + o->nincludes + o->noutputs);
+    const char **word = arena_array(arena, const char *, (size_t)room);
+    *n = 0;
+    word[(*n)++] = o->argv[0];
+    add_words(word, n, "run", script);
+    for (int i = 0; i < o->ndefines; i++)
+        add_words(word, n, "-D", arena_printf(arena, "%s=%s", o->define[i].name, o->define[i].value));
+    for (int i = 0; i < o->nsets; i++)
+        add_words(word, n, option_of_key(o->set[i].name), o->set[i].value);
+    for (int i = 0; i < o->nincludes; i++)
+        add_words(word, n, "-I", o->include[i]);
+    for (int i = 0; i < o->noutputs; i++)
+        add_words(word, n, "-o", o->output[i]);
+    if (o->seeds > 0)
+        add_words(word, n, "--seeds", arena_printf(arena, "%d", o->seeds));
+    return (char **)word;
+}
+
 /* The options of a plain run at the point: its params set, a report asked for. */
 static struct options point_options(const struct sweep *sweep, const struct sweep_point *point, struct arena *arena)
 {
@@ -52,6 +88,7 @@ static struct options point_options(const struct sweep *sweep, const struct swee
     if (o.noutputs > 0)
         memcpy(o.output, sweep->options->output, sizeof *o.output * (size_t)o.noutputs);
     o.output[o.noutputs++] = "report:" SWEEP_REPORT;
+    o.argv = run_words(&o, sweep->script, arena, &o.argc);
     return o;
 }
 

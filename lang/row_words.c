@@ -271,7 +271,8 @@ static void put_multiple(struct writer *w, const struct stmt *stmt)
 {
     const struct multiple *m = &stmt->multiple;
 
-    PUT("%sultiple of %s", w->first == TOKEN_CAST_ON ? "Cast on a m" : "M", count(w, m->of));
+    PUT("%sultiple of %s st%s", w->first == TOKEN_CAST_ON ? "Cast on a m" : "M", count(w, m->of),
+        is_number(w, m->of, 1) ? "" : "s");
     if (m->plus)
         PUT(" + %s", count(w, m->plus));
     PUT("%s", w->stop);

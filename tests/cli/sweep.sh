@@ -35,6 +35,24 @@ check 'a point is the run with its params' cmp one.stl s.sweep/4-c=0.5-n=2/s-2.s
 check 'its energy stands in the table' test "$(column energy.total | sed -n 4p)" = "$(value one.json energy.total)"
 check 'and in the lines' grep -q "^{\"point\":4,.*\"c\":0.5,\"n\":2.*\"status\":\"converged\"" s.sweep/table.jsonl
 
+# ---- a point is repeated like any run ----
+
+exits 0 'a point by its manifest' "$WEFT" run --from s.sweep/4-c=0.5-n=2/report.manifest.json
+out 'comes out the same' '^all 2 outputs are identical$'
+mkdir sub
+sed 's/^output.*/output table "t.csv"/' s.knit >sub/t.knit
+exits 0 'a point of a script elsewhere, with options' "$WEFT" sweep sub/t.knit -q --point 2 --seed 3 --steps=4 -D n=3 -o x.obj -j1 --into o
+exits 0 'by its manifest' "$WEFT" run --from o/2-c=0-n=2/report.manifest.json
+out 'with all its outputs' '^all 3 outputs are identical$'
+is_command='["run","sub/t.knit","-D","n=3","-D","c=0","-D","n=2","--seed","3","--steps","4","-o","x.obj","-o","report:report.json"]'
+check 'it is a plain run' test "$(value o/2-c=0-n=2/report.manifest.json command.arguments)" = "$is_command"
+
+exits 0 'a plain run of a script with a table' "$WEFT" run sub/t.knit -j 1
+out 'says whose it is' '^the table t.csv is of `weft sweep`$'
+check 'and leaves it' test ! -e t.csv
+exits 2 'a run asked for one' "$WEFT" run s.knit -o t.csv
+err 'says how it is meant' 'a table is written by `weft sweep`; the chart would be chart:t.csv'
+
 # ---- what is done is not done again ----
 
 cp -r s.sweep before
