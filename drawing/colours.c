@@ -30,6 +30,15 @@ struct rgb colours_stitch(const struct palette *palette, int stitch)
     return stitch == 0 ? palette->knit : stitch == 1 ? palette->purl : palette->other[(stitch - 2) % PALETTE_OTHERS];
 }
 
+/* ---- lines ---- */
+
+/* Dark enough for thin lines on white, neighbours apart in lightness. */
+struct rgb colours_line(int i)
+{
+    static const struct rgb lines[] = {RGB(1F4E8C), RGB(C8572A), RGB(2A8F77), RGB(8A4FA3), RGB(6B6B6B), RGB(B8860B)};
+    return lines[i % (int)(sizeof lines / sizeof *lines)];
+}
+
 /* ---- scales ---- */
 
 /* Lightness, chroma and hue in degrees of the points a scale runs through. */

@@ -22,6 +22,9 @@ const struct palette *colours_palette(const char *name);
 /* The colour of a stitch: 0 is knit, 1 is purl, own stitches follow. */
 struct rgb colours_stitch(const struct palette *palette, int stitch);
 
+/* The colour of the i-th line of a plot on white; they repeat after six. */
+struct rgb colours_line(int i);
+
 /* Scales: sequential from dark (low) to light, diverging from blue (low) over
  * light grey (the middle) to red.  Equal steps of t look equally far apart:
  * t is the length along a line in Oklab (Björn Ottosson, "A perceptual color

@@ -1,6 +1,7 @@
 # What comes out: meshes, report, charts.
 noinst_LIBRARIES += liboutput.a
 liboutput_a_SOURCES = \
+    output/axis.c output/axis.h \
     output/chart.c output/chart.h \
     output/field.c output/field.h \
     output/file.c output/file.h \
@@ -12,6 +13,7 @@ liboutput_a_SOURCES = \
     output/page.c output/page.h \
     output/page_pack.c output/page_pack.h \
     output/palette.c output/palette.h \
+    output/plot.c output/plot.h \
     output/portrait.c output/portrait.h \
     output/ply.c output/ply.h \
     output/pvd.c output/pvd.h \
