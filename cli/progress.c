@@ -50,13 +50,18 @@ static void print_time_left(char *text, size_t size, const struct progress *p)
         snprintf(text, size, "%d:%02d left", (int)(left / 60), (int)left % 60);
 }
 
+static void print_bar(char bar[BAR_WIDTH + 1], const struct progress *p)
+{
+    for (int i = 0; i < BAR_WIDTH; i++)
+        bar[i] = i < (long)p->done * BAR_WIDTH / p->nsteps ? '#' : '-';
+    bar[BAR_WIDTH] = '\0';
+}
+
 /* One line of less than 80 characters. */
 static void draw(struct progress *p, double growth, double energy, int iterations)
 {
     char bar[BAR_WIDTH + 1], left[40];
-    for (int i = 0; i < BAR_WIDTH; i++)
-        bar[i] = i < p->done * BAR_WIDTH / p->nsteps ? '#' : '-';
-    bar[BAR_WIDTH] = '\0';
+    print_bar(bar, p);
     print_time_left(left, sizeof left, p);
     fprintf(stderr, "\r[%s] growth %.2f  energy %-10.6g %6d it.  %s\033[K", bar, growth, energy, iterations, left);
     p->drawn = progress_clock();
@@ -81,6 +86,26 @@ void progress_iteration(struct progress *p, double growth, int iterations, doubl
 {
     if (p->style == PROGRESS_BAR && progress_clock() - p->drawn > 0.1)
         draw(p, growth, energy, iterations);
+}
+
+void progress_point(struct progress *p, const char *line, bool news)
+{
+    p->done++;
+    p->stepped = progress_clock();
+    p->drawn = 0;
+    if (p->style == PROGRESS_LINES || news)
+        fprintf(stderr, "%s%s\n", p->style == PROGRESS_BAR ? "\r\033[K" : "", line);
+}
+
+void progress_points(struct progress *p, int running)
+{
+    char bar[BAR_WIDTH + 1], left[40];
+    if (p->style != PROGRESS_BAR || progress_clock() - p->drawn < 0.1)
+        return;
+    print_bar(bar, p);
+    print_time_left(left, sizeof left, p);
+    fprintf(stderr, "\r[%s] %d of %d points, %d running  %s\033[K", bar, p->done, p->nsteps, running, left);
+    p->drawn = progress_clock();
 }
 
 void progress_end(struct progress *p)

@@ -23,6 +23,11 @@ void progress_step(struct progress *progress, const struct fold_step *step);
 /* Within a step; draws ten times a second at most. */
 void progress_iteration(struct progress *progress, double growth, int iterations, double energy);
 
+/* Of the points of a sweep rather than growth steps: one ended, as a line says,
+ * which a bar shows only where it is news; and again and again, while some run. */
+void progress_point(struct progress *progress, const char *line, bool news);
+void progress_points(struct progress *progress, int running);
+
 /* Takes the bar away. */
 void progress_end(struct progress *progress);
 

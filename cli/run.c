@@ -235,11 +235,25 @@ static enum status fold_and_write(struct run *run)
     return written ? finished(run) : stopped(run);
 }
 
+/* Of a script with a sweep this is one point, and not one of its table. */
+static void note_sweep(const struct run *run)
+{
+    const struct scene *scene = run->script.scene;
+    int npoints = 1;
+    for (int i = 0; i < scene->naxes; i++)
+        npoints *= scene->axis[i].npoints;
+    if (scene->naxes > 0 && !run->into && !run->options->quiet)
+        fprintf(stderr, "note: %s has a sweep of %d points; this run takes each param as it stands, `weft sweep %s` runs all points\n",
+                scene->file, npoints, scene->file);
+}
+
 enum status run_script(struct run *run, const char *path)
 {
     run->begun = progress_clock();
     enum status status = script_load(&run->script, path, run->options);
     run->outputs.log.into = run->into;
+    if (status == STATUS_DONE)
+        note_sweep(run);
     if (status == STATUS_DONE)
         status = outputs_begin(&run->outputs, run->script.scene);
     if (status == STATUS_DONE && run->options->dry_run)

@@ -10,6 +10,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -17,6 +20,7 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/progress.h"
 #include "cli/script.h"
 #include "cli/sweep_table.h"
 
@@ -30,22 +34,24 @@ static int of_sweep_alone(const char *word)
     return strncmp(word, "-j", 2) == 0 || strcmp(word, "--print") == 0;
 }
 
-/* weft sweep FILE ... --point NUMBER -j THREADS, ended by NULL. */
+/* weft sweep FILE ... --point NUMBER -j THREADS, ended by NULL; operands may follow "--". */
 static const char **point_words(const struct options *o, int number, int threads, struct arena *arena)
 {
-    const char **words = arena_array(arena, const char *, (size_t)o->argc + 5);
-    int n = 0;
-    for (int i = 0; i < o->argc; i++) {
+    const char *own[] = {"--point", arena_printf(arena, "%d", number), "-j", arena_printf(arena, "%d", threads)};
+    enum { OWN = sizeof own / sizeof *own };
+    const char **words = arena_array(arena, const char *, (size_t)o->argc + OWN + 1);
+    int n = 0, i = 0;
+    for (; i < o->argc && strcmp(o->argv[i], "--") != 0; i++) {
         int skipped = i > 0 ? of_sweep_alone(o->argv[i]) : 0;
         if (skipped == 0)
             words[n++] = o->argv[i];
         else
             i += skipped - 1;
     }
-    words[n++] = "--point";
-    words[n++] = arena_printf(arena, "%d", number);
-    words[n++] = "-j";
-    words[n++] = arena_printf(arena, "%d", threads);
+    for (int k = 0; k < OWN; k++)
+        words[n++] = own[k];
+    for (; i < o->argc; i++)
+        words[n++] = o->argv[i];
     words[n] = NULL;
     return words;
 }
@@ -89,22 +95,37 @@ struct worker {
 struct crew {
     const struct sweep *sweep;
     int                 nworkers, threads;
-    int                 done;           /* points that are, before and now */
     struct worker      *worker;         /* (nworkers) */
+    int                 ntodo, *todo;   /* (ntodo) numbers of the points that are not done */
+    int                 before;         /* points that are */
+    bool                stuck;          /* files cannot be written: no more points */
+    struct progress     progress;
 };
 
-/* In the child: the point's log for a terminal, then this program again. */
-static _Noreturn void become(const struct sweep_point *point, const char **words, struct arena *arena)
+/* In the child: the point's log for a terminal, then this program again.  It
+ * is to stop, too, where the whole sweep is killed. */
+static _Noreturn void become(int log, const char **words)
 {
-    int log = open(arena_printf(arena, "%s/log.txt", point->folder), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    if (log >= 0) {
-        dup2(log, STDOUT_FILENO);
-        dup2(log, STDERR_FILENO);
-        close(log);
-        execv("/proc/self/exe", (char *const *)words);
-        execvp(words[0], (char *const *)words);
-    }
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
+    dup2(log, STDOUT_FILENO);
+    dup2(log, STDERR_FILENO);
+    close(log);
+    execv("/proc/self/exe", (char *const *)words);
+    execvp(words[0], (char *const *)words);
     _exit(STATUS_FILES);
+}
+
+/* The point's folder and in it the log; -1: errno. */
+static int open_log(const struct sweep_point *point, struct arena *arena)
+{
+    if (mkdir(point->folder, 0777) != 0 && errno != EEXIST)
+        return -1;
+    return open(arena_printf(arena, "%s/log.txt", point->folder), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
 }
 
 static void start(struct crew *crew, struct worker *worker, int number)
@@ -112,49 +133,83 @@ static void start(struct crew *crew, struct worker *worker, int number)
     struct arena arena = {0};
     struct sweep_point point = sweep_point(crew->sweep, number, &arena);
     const char **words = point_words(crew->sweep->options, number, crew->threads, &arena);
-    bool made = mkdir(point.folder, 0777) == 0 || errno == EEXIST;
+    int log = open_log(&point, &arena);
     fflush(NULL);
-    pid_t process = made ? fork() : -1;
+    pid_t process = log >= 0 ? fork() : -1;
     if (process == 0)
-        become(&point, words, &arena);
-    if (process < 0)
-        fprintf(stderr, "weft: %s cannot be started: %s\n", point.folder, strerror(errno));
+        become(log, words);
+    if (process < 0) {
+        progress_end(&crew->progress);
+        fprintf(stderr, "weft: the point %s cannot be started: %s\n", point.folder, strerror(errno));
+        crew->stuck = true;
+    }
+    if (log >= 0)
+        close(log);
     *worker = (struct worker){process > 0 ? process : 0, number};
     arena_free(&arena);
 }
 
-static void say_end(const struct crew *crew, int number, int how)
+/* What an exit status says of a point. */
+static const char *const endings[] = {
+    [STATUS_DONE] = "converged",
+    [STATUS_FAILED] = "not converged, or failed: see its log.txt",
+    [STATUS_USAGE] = "the script does not take this value: see its log.txt",
+    [STATUS_SCRIPT] = "an error in the script: see its log.txt",
+    [STATUS_FILES] = "a file could not be read or written: see its log.txt",
+};
+enum { NENDINGS = sizeof endings / sizeof *endings };
+
+static void say_end(struct crew *crew, int number, int how)
 {
     struct arena arena = {0};
     struct sweep_point point = sweep_point(crew->sweep, number, &arena);
-    if (crew->sweep->options->quiet && how == 0)
-        ;
-    else if (WIFSIGNALED(how))
-        fprintf(stderr, "[%d/%d] %s: killed by signal %d\n", crew->done, crew->sweep->npoints, point.name, WTERMSIG(how));
-    else
-        fprintf(stderr, "[%d/%d] %s: %s\n", crew->done, crew->sweep->npoints, point.name,
-                WEXITSTATUS(how) == 0 ? "converged" : "not converged or failed, see its log.txt");
+    int status = WIFEXITED(how) ? WEXITSTATUS(how) : -1;
+    const char *ending = status >= 0 && status < NENDINGS ? endings[status]
+                         : arena_printf(&arena, "killed by signal %d", WTERMSIG(how));
+    bool stopped = status == STATUS_FAILED && interrupt_asked();
+    progress_point(&crew->progress,
+                   arena_printf(&arena, "[%d/%d] %s: %s", crew->before + crew->progress.done + 1, crew->sweep->npoints,
+                                point.name, stopped ? "stopped" : ending),
+                   status != STATUS_DONE && !stopped);
+    crew->stuck = crew->stuck || status == STATUS_FILES;
     arena_free(&arena);
+}
+
+static int busy_workers(const struct crew *crew)
+{
+    int busy = 0;
+    for (int i = 0; i < crew->nworkers; i++)
+        busy += crew->worker[i].process != 0;
+    return busy;
+}
+
+static void tell_all(const struct crew *crew, int number)
+{
+    for (int i = 0; i < crew->nworkers; i++)
+        if (crew->worker[i].process)
+            kill(crew->worker[i].process, number);
 }
 
 /* Waits until one point ends; passes a wish to stop on to all of them. */
 static void wait_for_one(struct crew *crew)
 {
-    static const struct timespec moment = {.tv_nsec = 5000000};
+    static const struct timespec moment = {.tv_nsec = 100000000};
     bool told = false;
+    sigset_t ended;
     pid_t process;
     int how;
+    sigemptyset(&ended);
+    sigaddset(&ended, SIGCHLD);
     while ((process = waitpid(-1, &how, WNOHANG)) == 0) {
-        for (int i = 0; interrupt_asked() && !told && i < crew->nworkers; i++)
-            if (crew->worker[i].process)
-                kill(crew->worker[i].process, SIGTERM);
+        if (interrupt_asked() && !told)
+            tell_all(crew, SIGTERM);
         told = interrupt_asked();
-        nanosleep(&moment, NULL);
+        progress_points(&crew->progress, busy_workers(crew));
+        sigtimedwait(&ended, NULL, &moment);
     }
     for (int i = 0; i < crew->nworkers; i++)
         if (process > 0 && crew->worker[i].process == process) {
             crew->worker[i].process = 0;
-            crew->done++;
             say_end(crew, crew->worker[i].number, how);
         }
 }
@@ -167,33 +222,48 @@ static struct worker *idle_worker(struct crew *crew)
     return NULL;
 }
 
-static int busy_workers(const struct crew *crew)
+static void find_todo(struct crew *crew)
 {
-    int busy = 0;
-    for (int i = 0; i < crew->nworkers; i++)
-        busy += crew->worker[i].process != 0;
-    return busy;
+    for (int number = 1; number <= crew->sweep->npoints; number++) {
+        struct arena arena = {0};
+        struct sweep_point point = sweep_point(crew->sweep, number, &arena);
+        if (sweep_point_state(crew->sweep, &point) != SWEEP_DONE)
+            crew->todo[crew->ntodo++] = number;
+        arena_free(&arena);
+    }
+    crew->before = crew->sweep->npoints - crew->ntodo;
+    if (crew->before > 0 && !crew->sweep->options->quiet)
+        printf("%d of %d points were done before\n", crew->before, crew->sweep->npoints);
 }
 
-/* Runs all points that are not done; returns how many were. */
-static int run_points(struct crew *crew)
+static void run_points(struct crew *crew)
 {
-    int before = 0;
-    for (int number = 1; number <= crew->sweep->npoints && !interrupt_asked(); number++) {
-        if (sweep_point_is_done(crew->sweep, number)) {
-            before++, crew->done++;
-            continue;
-        }
+    sigset_t ended, before;
+    sigemptyset(&ended);
+    sigaddset(&ended, SIGCHLD);
+    sigprocmask(SIG_BLOCK, &ended, &before);
+    crew->progress = progress_begin(crew->ntodo, crew->sweep->options->quiet);
+    for (int i = 0; i < crew->ntodo && !crew->stuck; i++) {
         while (!idle_worker(crew))
             wait_for_one(crew);
-        start(crew, idle_worker(crew), number);
+        if (!interrupt_asked() && !crew->stuck)
+            start(crew, idle_worker(crew), crew->todo[i]);
     }
     while (busy_workers(crew) > 0)
         wait_for_one(crew);
-    return before;
+    progress_end(&crew->progress);
+    sigprocmask(SIG_SETMASK, &before, NULL);
 }
 
 /* ---- the table ---- */
+
+static void print_count(const struct sweep *sweep, const struct sweep_count *count)
+{
+    printf("%d points: %d converged, %d ended otherwise, %d missing", sweep->npoints, count->good, count->other, count->missing);
+    if (count->stale > 0)
+        printf(" (%d of them of another script, other settings or outputs)", count->stale);
+    printf("\nwrote %s/table.csv, %s/table.jsonl\n", sweep->folder, sweep->folder);
+}
 
 static enum status collect(const struct sweep *sweep, const struct scene *scene)
 {
@@ -209,8 +279,7 @@ static enum status collect(const struct sweep *sweep, const struct scene *scene)
     if (!written)
         fprintf(stderr, "weft: %s\n", log.error);
     else if (!sweep->options->quiet)
-        printf("%d points: %d converged, %d ended otherwise, %d missing\nwrote %s/table.csv, %s/table.jsonl\n",
-               sweep->npoints, count.good, count.other, count.missing, sweep->folder, sweep->folder);
+        print_count(sweep, &count);
     file_log_free(&log);
     arena_free(&arena);
     return !written ? STATUS_FILES : count.good == sweep->npoints ? STATUS_DONE : STATUS_FAILED;
@@ -222,14 +291,18 @@ static enum status run_all(const struct sweep *sweep, const struct scene *scene)
     struct crew crew = {.sweep = sweep, .nworkers = wanted ? wanted : processors > 0 ? processors : 1};
     crew.threads = processors > crew.nworkers ? processors / crew.nworkers : 1;
     crew.worker = calloc((size_t)crew.nworkers, sizeof *crew.worker);
-    if (!crew.worker)
+    crew.todo = calloc((size_t)sweep->npoints, sizeof *crew.todo);
+    if (!crew.worker || !crew.todo)
         return STATUS_FAILED;
     interrupt_ask_first();
-    int before = run_points(&crew);
-    if (before > 0 && !sweep->options->quiet)
-        printf("%d of %d points were done before\n", before, sweep->npoints);
+    find_todo(&crew);
+    run_points(&crew);
     free(crew.worker);
-    return collect(sweep, scene);
+    free(crew.todo);
+    enum status status = collect(sweep, scene);
+    if (interrupt_asked())
+        fprintf(stderr, "weft: stopped; the same command goes on with the points that are missing\n");
+    return crew.stuck ? STATUS_FILES : interrupt_asked() ? STATUS_FAILED : status;
 }
 
 /* ---- the command ---- */
@@ -243,11 +316,26 @@ static const char *sweep_folder(const struct options *options, const char *scrip
     return arena_printf(arena, "%.*s.sweep", dot && dot > name ? (int)(dot - name) : (int)strlen(name), name);
 }
 
+/* A param of the sweep that -D sets, too, or NULL. */
+static const char *set_twice(const struct sweep *sweep)
+{
+    for (int i = 0; i < sweep->naxes; i++)
+        for (int k = 0; k < sweep->options->ndefines; k++)
+            if (strcmp(sweep->axis[i].param, sweep->options->define[k].name) == 0)
+                return sweep->axis[i].param;
+    return NULL;
+}
+
 static enum status run_sweep(const struct sweep *sweep, const struct scene *scene)
 {
     const struct options *o = sweep->options;
     if (o->point > sweep->npoints)
         return options_wrong(o, "the sweep of %s has %d points, there is no point %d", sweep->script, sweep->npoints, o->point);
+    const char *twice = set_twice(sweep);
+    if (twice)
+        return options_wrong(o, "-D %s: the sweep of %s sets this param; `weft run` takes one value of it", twice, sweep->script);
+    if (o->print + o->collect + (o->point > 0) > 1)
+        return options_wrong(o, "of --print, --point and --collect a sweep takes one at a time");
     if (o->print)
         return print_commands(sweep);
     if (mkdir(sweep->folder, 0777) != 0 && errno != EEXIST) {
@@ -270,7 +358,7 @@ enum status command_sweep(const struct options *options)
         status = STATUS_SCRIPT;
     }
     if (status == STATUS_DONE) {
-        struct sweep sweep = {options, path, sweep_folder(options, path, &arena), script.scene->naxes, script.scene->axis, 1};
+        struct sweep sweep = {options, path, sweep_folder(options, path, &arena), script.scene, script.scene->naxes, script.scene->axis, 1};
         for (int i = 0; i < sweep.naxes; i++)
             sweep.npoints *= sweep.axis[i].npoints;
         status = run_sweep(&sweep, script.scene);

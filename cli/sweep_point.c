@@ -5,11 +5,15 @@
 
 #include "cli/sweep_point.h"
 
+#include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "cli/outputs.h"
 #include "cli/run.h"
+#include "output/chart.h"
 #include "output/json.h"
 
 /* ---- what a point is ---- */
@@ -94,79 +98,147 @@ static struct options point_options(const struct sweep *sweep, const struct swee
 
 /* ---- is it done? ---- */
 
-/* SHA-256 of all that the point's results follow from. */
-static void point_key(const struct scene *scene, char key[FILE_HASH])
+static void hash_text(struct file *hasher, const char *text)
 {
-    struct file_log log = {0};
-    struct file *hasher = file_hasher(&log);
-    file_print(hasher, "%s\n", VERSION);
-    for (int i = 0; i < scene->nsources; i++)
-        file_write(hasher, scene->source[i].text, scene->source[i].size + 1);
-    for (int i = 0; i < scene->nsettings; i++) {
-        const struct setting *s = &scene->setting[i];
-        file_write(hasher, s->name, strlen(s->name) + 1);
-        if (s->text)
-            file_write(hasher, s->text, strlen(s->text) + 1);
+    file_write(hasher, text, strlen(text) + 1);
+}
+
+static void hash_value(void *hasher, const void *value, size_t size)
+{
+    file_write(hasher, value, size);
+}
+
+static void hash_settings(struct file *hasher, const struct scene *scene)
+{
+    for (const struct setting *s = scene->setting; s < scene->setting + scene->nsettings; s++) {
+        hash_text(hasher, s->name);
+        hash_text(hasher, s->text ? s->text : "");
         file_print(hasher, "%a\n", s->number);
     }
-    for (int i = 0; i < scene->noutputs; i++) {
-        file_print(hasher, "%s\n", output_kind_name(scene->output[i].kind));
-        file_write(hasher, scene->output[i].path, strlen(scene->output[i].path) + 1);
-    }
+}
+
+static struct file *hash_begin(struct file_log *log, const struct sweep *sweep)
+{
+    struct file *hasher = file_hasher(log);
+    file_print(hasher, "%s %d\n", VERSION, sweep->options->seeds);
+    return hasher;
+}
+
+/* SHA-256 of the words the point is made of: the files, the settings, -o, the
+ * point's values.  The same words give the same results, and nothing need be compiled. */
+static void words_key(const struct sweep *sweep, const struct sweep_point *point, char key[FILE_HASH])
+{
+    struct file_log log = {0};
+    struct file *hasher = hash_begin(&log, sweep);
+    const struct scene *scene = sweep->scene;
+    for (int i = 0; i < scene->nsources; i++)
+        file_write(hasher, scene->source[i].text, scene->source[i].size + 1);
+    hash_settings(hasher, scene);
+    for (int i = 0; i < sweep->options->noutputs; i++)
+        hash_text(hasher, sweep->options->output[i]);
+    for (int i = 0; i < sweep->naxes; i++)
+        hash_text(hasher, point->value[i]);
     file_hash(hasher, key);
     file_log_free(&log);
 }
 
-/* The record in a point's folder, or NULL. */
-static cJSON *read_record(const struct sweep_point *point, struct arena *arena)
+/* SHA-256 of what the words mean at the point, but for what is made of all
+ * points: a comment or another plot of the sweep changes nothing. */
+static void scene_key(const struct sweep *sweep, const struct scene *scene, char key[FILE_HASH])
+{
+    struct file_log log = {0};
+    struct file *hasher = hash_begin(&log, sweep);
+    chart_grid(hasher, scene);
+    hash_settings(hasher, scene);
+    for (const struct stitch *s = scene->stitch; s < scene->stitch + scene->nstitches; s++) {
+        hash_text(hasher, s->symbol);
+        file_print(hasher, "%a %a %a %d\n", s->kx, s->ky, s->twist, (int)s->ws);
+    }
+    for (const struct output *o = scene->output; o < scene->output + scene->noutputs; o++)
+        if (!outputs_of_sweep(scene, o)) {
+            hash_text(hasher, output_kind_name(o->kind));
+            hash_text(hasher, o->path);
+            output_values(o, hash_value, hasher);
+        }
+    file_hash(hasher, key);
+    file_log_free(&log);
+}
+
+cJSON *sweep_point_json(const struct sweep_point *point, const char *name, struct arena *arena)
 {
     const char *why;
-    const struct source *source = source_read(arena, arena_printf(arena, "%s/" SWEEP_RECORD, point->folder), &why);
+    const struct source *source = source_read(arena, arena_printf(arena, "%s/%s", point->folder, name), &why);
     return source ? cJSON_ParseWithLength(source->text, source->size) : NULL;
 }
 
-static bool record_has_key(const cJSON *record, const char *key)
+static bool has_text(const cJSON *record, const char *name, const char *wanted)
 {
-    const cJSON *own = cJSON_GetObjectItemCaseSensitive(record, "key");
-    return cJSON_IsString(own) && strcmp(own->valuestring, key) == 0;
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(record, name);
+    return cJSON_IsString(item) && strcmp(item->valuestring, wanted) == 0;
 }
 
-bool sweep_point_is_done(const struct sweep *sweep, int number)
+/* Other words, but is it the same scene? */
+static bool means_the_same(const struct sweep *sweep, const struct sweep_point *point, const cJSON *record)
 {
     struct arena arena = {0};
     struct script script;
-    struct sweep_point point = sweep_point(sweep, number, &arena);
-    struct options options = point_options(sweep, &point, &arena);
+    struct options options = point_options(sweep, point, &arena);
+    char key[FILE_HASH] = "";
     options.quiet = true;
-    cJSON *record = read_record(&point, &arena);
-    bool done = false;
-    if (record && script_load(&script, sweep->script, &options) == STATUS_DONE) {
-        char key[FILE_HASH];
-        point_key(script.scene, key);
-        done = record_has_key(record, key);
-    }
-    if (record)
-        script_free(&script);
+    if (script_load(&script, sweep->script, &options) == STATUS_DONE)
+        scene_key(sweep, script.scene, key);
+    script_free(&script);
+    arena_free(&arena);
+    return *key && has_text(record, "scene", key);
+}
+
+enum sweep_state sweep_point_state(const struct sweep *sweep, const struct sweep_point *point)
+{
+    struct arena arena = {0};
+    char key[FILE_HASH];
+    cJSON *record = sweep_point_json(point, SWEEP_RECORD, &arena);
+    bool report = access(arena_printf(&arena, "%s/" SWEEP_REPORT, point->folder), R_OK) == 0;
+    words_key(sweep, point, key);
+    enum sweep_state state = !record                                                    ? SWEEP_MISSING
+                             : has_text(record, "words", key)                           ? SWEEP_DONE
+                             : report && cJSON_HasObjectItem(record, "scene") &&
+                                       means_the_same(sweep, point, record)             ? SWEEP_DONE
+                                                                                        : SWEEP_STALE;
+    if (state == SWEEP_DONE && has_text(record, "status", SWEEP_ERROR_STATUS))
+        state = SWEEP_ERROR;
+    else if (state == SWEEP_DONE && !report)
+        state = SWEEP_MISSING;
     cJSON_Delete(record);
     arena_free(&arena);
-    return done;
+    return state;
 }
 
 /* ---- the run ---- */
 
-/* Says that the point is finished, and how; false: see log->error. */
+static cJSON *describe(const struct sweep *sweep, const struct sweep_point *point, const struct run *run)
+{
+    bool folded = file_log_find(&run->outputs.log, SWEEP_REPORT);
+    char key[FILE_HASH];
+    cJSON *root = cJSON_CreateObject();
+    json_integer(root, "point", point->number);
+    cJSON *params = cJSON_AddObjectToObject(root, "params");
+    for (int i = 0; i < sweep->naxes; i++)
+        json_number(params, sweep->axis[i].param, strtod(point->value[i], NULL));
+    json_text(root, "status", folded ? fold_status_name(run->record.status) : SWEEP_ERROR_STATUS);
+    words_key(sweep, point, key);
+    json_text(root, "words", key);
+    if (folded) {
+        scene_key(sweep, run->script.scene, key);
+        json_text(root, "scene", key);
+    }
+    return root;
+}
+
+/* Says that the point is finished, and how. */
 static bool write_record(const struct sweep *sweep, const struct sweep_point *point, const struct run *run)
 {
     struct file_log log = {.into = point->folder};
-    char key[FILE_HASH];
-    cJSON *root = cJSON_CreateObject(), *params = NULL;
-    point_key(run->script.scene, key);
-    json_integer(root, "point", point->number);
-    params = cJSON_AddObjectToObject(root, "params");
-    for (int i = 0; i < sweep->naxes; i++)
-        json_number(params, sweep->axis[i].param, strtod(point->value[i], NULL));
-    json_text(root, "status", fold_status_name(run->record.status));
-    json_text(root, "key", key);
+    cJSON *root = describe(sweep, point, run);
     char *text = cJSON_Print(root);
     struct file *file = file_create(&log, SWEEP_RECORD);
     if (file)
@@ -180,16 +252,28 @@ static bool write_record(const struct sweep *sweep, const struct sweep_point *po
     return done;
 }
 
+/* For nftw: what a killed run left unfinished goes. */
+static int tidy(const char *path, const struct stat *status, int type, struct FTW *where)
+{
+    (void)status;
+    if (type == FTW_F && file_is_unfinished(path + where->base))
+        unlink(path);
+    return 0;
+}
+
 enum status sweep_point_run(const struct sweep *sweep, int number)
 {
+    enum { FOLDERS_OPEN = 8 };
     struct arena arena = {0};
     struct sweep_point point = sweep_point(sweep, number, &arena);
     struct options options = point_options(sweep, &point, &arena);
     struct run run = {.options = &options, .into = point.folder};
     enum status status = STATUS_DONE;
-    if (!sweep_point_is_done(sweep, number)) {
+    if (sweep_point_state(sweep, &point) != SWEEP_DONE) {
+        nftw(point.folder, tidy, FOLDERS_OPEN, FTW_PHYS);
         status = run_script(&run, sweep->script);
-        if (file_log_find(&run.outputs.log, SWEEP_REPORT) && !write_record(sweep, &point, &run))
+        bool ended = status == STATUS_SCRIPT || status == STATUS_USAGE || file_log_find(&run.outputs.log, SWEEP_REPORT);
+        if (ended && !write_record(sweep, &point, &run))
             status = STATUS_FILES;
         run_free(&run);
     } else if (!options.quiet) {

@@ -4,16 +4,20 @@
 #ifndef WEFT_SWEEP_POINT_H
 #define WEFT_SWEEP_POINT_H
 
+#include <cjson/cJSON.h>
+
 #include "cli/options.h"
 #include "output/file.h"
 
 #define SWEEP_REPORT "report.json"      /* in every point's folder */
 #define SWEEP_RECORD "point.json"       /* written last: the point is finished */
+#define SWEEP_ERROR_STATUS "error"      /* in it, where there was nothing to fold */
 
 struct sweep {
     const struct options *options;      /* of `weft sweep` */
     const char           *script;       /* path */
     const char           *folder;       /* of all points */
+    const struct scene   *scene;        /* at the params' defaults */
     int                   naxes;
     const struct sweep_axis *axis;      /* (naxes), the first varies slowest */
     int                   npoints;
@@ -29,8 +33,17 @@ struct sweep_point {
 
 struct sweep_point sweep_point(const struct sweep *sweep, int number, struct arena *arena);
 
-/* Was the point run to its end from the same script, settings and outputs? */
-bool sweep_point_is_done(const struct sweep *sweep, int number);
+enum sweep_state {
+    SWEEP_MISSING,      /* never run to an end */
+    SWEEP_STALE,        /* run with another script, other settings or outputs */
+    SWEEP_ERROR,        /* its script has an error there */
+    SWEEP_DONE
+};
+
+enum sweep_state sweep_point_state(const struct sweep *sweep, const struct sweep_point *point);
+
+/* A file of the point's folder, or NULL. */
+cJSON *sweep_point_json(const struct sweep_point *point, const char *name, struct arena *arena);
 
 /* Runs it, unless it is done.  The run's status. */
 enum status sweep_point_run(const struct sweep *sweep, int number);

@@ -24,14 +24,6 @@ enum { NFIELDS = sizeof fields / sizeof *fields };
 /* Members of the report that differ from run to run. */
 static const char *const passing[] = {"time", "memory", "outputs"};
 
-/* A point's file as JSON, or NULL. */
-static cJSON *read_json(const struct sweep_point *point, const char *name, struct arena *arena)
-{
-    const char *why;
-    const struct source *source = source_read(arena, arena_printf(arena, "%s/%s", point->folder, name), &why);
-    return source ? cJSON_ParseWithLength(source->text, source->size) : NULL;
-}
-
 /* The report's value at "energy.total", or NULL. */
 static const cJSON *value_at(const cJSON *report, const char *path)
 {
@@ -39,6 +31,18 @@ static const cJSON *value_at(const cJSON *report, const char *path)
     const char *dot = strchr(path, '.');
     snprintf(name, sizeof name, "%.*s", (int)(dot - path), path);
     return cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(report, name), dot + 1);
+}
+
+/* The status of a point that has no report. */
+static const char *state_word(enum sweep_state state)
+{
+    return state == SWEEP_ERROR ? SWEEP_ERROR_STATUS : "missing";
+}
+
+static const char *status_of(const cJSON *report)
+{
+    const char *word = cJSON_GetStringValue(value_at(report, "solve.status"));
+    return word ? word : "";
 }
 
 static void print_header(const struct sweep *sweep, struct file *csv)
@@ -61,19 +65,21 @@ static void print_value(struct file *csv, const cJSON *value)
     cJSON_free(text);
 }
 
-static void print_row(const struct sweep *sweep, const struct sweep_point *point, const cJSON *report, struct file *csv)
+static void print_row(const struct sweep *sweep, const struct sweep_point *point, enum sweep_state state,
+                      const cJSON *report, struct file *csv)
 {
     file_print(csv, "%d", point->number);
     for (int i = 0; i < sweep->naxes; i++)
         file_print(csv, ",%s", point->value[i]);
     if (!report)
-        file_print(csv, ",missing");
+        file_print(csv, ",%s", state_word(state));
     for (int i = report ? 0 : 1; i < NFIELDS; i++)
         print_value(csv, report ? value_at(report, fields[i]) : NULL);
     file_print(csv, "\n");
 }
 
-static void print_line(const struct sweep *sweep, const struct sweep_point *point, cJSON *report, struct file *jsonl)
+static void print_line(const struct sweep *sweep, const struct sweep_point *point, enum sweep_state state, cJSON *report,
+                       struct file *jsonl)
 {
     cJSON *line = cJSON_CreateObject(), *params;
     json_integer(line, "point", point->number);
@@ -81,6 +87,7 @@ static void print_line(const struct sweep *sweep, const struct sweep_point *poin
     params = cJSON_AddObjectToObject(line, "params");
     for (int i = 0; i < sweep->naxes; i++)
         json_number(params, sweep->axis[i].param, strtod(point->value[i], NULL));
+    json_text(line, "status", report ? status_of(report) : state_word(state));
     for (size_t i = 0; i < sizeof passing / sizeof *passing; i++)
         cJSON_DeleteItemFromObjectCaseSensitive(report, passing[i]);
     if (report)
@@ -94,25 +101,16 @@ static void print_line(const struct sweep *sweep, const struct sweep_point *poin
     cJSON_Delete(line);
 }
 
-static void count_point(const cJSON *report, struct sweep_count *count)
+static void count_point(enum sweep_state state, const cJSON *report, struct sweep_count *count)
 {
-    const cJSON *status = report ? value_at(report, "solve.status") : NULL;
-    const char *word = cJSON_IsString(status) ? status->valuestring : "";
+    const char *word = report ? status_of(report) : "";
     if (strcmp(word, "converged") == 0 || strcmp(word, "precision") == 0)
         count->good++;
-    else if (report)
+    else if (report || state == SWEEP_ERROR)
         count->other++;
     else
         count->missing++;
-}
-
-/* The report of a point that was run to its end, or NULL. */
-static cJSON *finished_report(const struct sweep_point *point, struct arena *arena)
-{
-    cJSON *record = read_json(point, SWEEP_RECORD, arena);
-    cJSON *report = record ? read_json(point, SWEEP_REPORT, arena) : NULL;
-    cJSON_Delete(record);
-    return report;
+    count->stale += state == SWEEP_STALE;
 }
 
 static void print_points(const struct sweep *sweep, struct file *const *csv, int ncsv, struct file *jsonl,
@@ -121,11 +119,12 @@ static void print_points(const struct sweep *sweep, struct file *const *csv, int
     for (int number = 1; number <= sweep->npoints; number++) {
         struct arena arena = {0};
         struct sweep_point point = sweep_point(sweep, number, &arena);
-        cJSON *report = finished_report(&point, &arena);
+        enum sweep_state state = sweep_point_state(sweep, &point);
+        cJSON *report = state == SWEEP_DONE ? sweep_point_json(&point, SWEEP_REPORT, &arena) : NULL;
         for (int i = 0; i < ncsv; i++)
-            print_row(sweep, &point, report, csv[i]);
-        count_point(report, count);
-        print_line(sweep, &point, report, jsonl);
+            print_row(sweep, &point, state, report, csv[i]);
+        count_point(state, report, count);
+        print_line(sweep, &point, state, report, jsonl);
         cJSON_Delete(report);
         arena_free(&arena);
     }

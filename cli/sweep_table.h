@@ -9,8 +9,9 @@
 /* How many points ended how. */
 struct sweep_count {
     int good;           /* converged, to the tolerance or to rounding */
-    int other;          /* ended some other way */
-    int missing;        /* not run to an end */
+    int other;          /* ended some other way, or an error in the script there */
+    int missing;        /* not run to an end, */
+    int stale;          /* of these, run with another script, other settings or outputs */
 };
 
 /* Writes table.csv and table.jsonl into the sweep's folder, and the CSV to each

@@ -70,6 +70,9 @@ const struct scene *scene_compile(struct arena *, struct diag *, const struct so
  * itself; kinds of output by name, for messages and completion. */
 const char *output_kind_name(enum output_kind);
 
+/* Shows see the values of an output's block one by one, as they are stored. */
+void output_values(const struct output *, void (*see)(void *self, const void *value, size_t size), void *self);
+
 /* The built-in motifs, for `weft list`. */
 struct library_motif {
     const char        *name;

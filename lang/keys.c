@@ -224,6 +224,18 @@ bool key_read(struct eval *eval, struct where where, const struct key *key, cons
 
 /* ---- results ---- */
 
+size_t key_size(const struct key *key)
+{
+    switch (key->type) {
+    case KEY_NUMBER: return sizeof(double);
+    case KEY_SEED: return sizeof(uint64_t);
+    case KEY_EDGES: return sizeof(unsigned);
+    case KEY_SWITCH: return sizeof(bool);
+    case KEY_ANGLES: return 2 * sizeof(double);
+    default: return sizeof(int);
+    }
+}
+
 void key_store(const struct key *key, const struct key_value *value, void *structure)
 {
     void *field = (char *)structure + key->offset;

@@ -45,4 +45,7 @@ bool key_read(struct eval *, struct where, const struct key *, const struct expr
 /* Puts a value into its place in a structure. */
 void key_store(const struct key *, const struct key_value *, void *structure);
 
+/* Bytes of it there. */
+size_t key_size(const struct key *);
+
 #endif

@@ -242,6 +242,13 @@ static void set_defaults(struct output *output)
     }
 }
 
+void output_values(const struct output *output, void (*see)(void *self, const void *value, size_t size), void *self)
+{
+    for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
+        if (k->kinds & 1u << output->kind)
+            see(self, (const char *)output + k->key.offset, key_size(&k->key));
+}
+
 /* A key that no output has, or not this kind. */
 static void wrong_key(struct eval *eval, const struct pair *pair, enum output_kind kind)
 {

@@ -93,6 +93,12 @@ static struct file_entry *log_entry(struct file_log *log, const char *path)
 
 /* ---- creation ---- */
 
+bool file_is_unfinished(const char *name)
+{
+    size_t n = strlen(name);
+    return strncmp(name, ".weft-", 6) == 0 && n > 11 && strcmp(name + n - 5, ".part") == 0;
+}
+
 bool file_is_plain(const char *path)
 {
     struct stat status;

@@ -58,6 +58,9 @@ bool file_check(struct file_log *log, const char *path);
 /* A plain file or a new name: not a device, a pipe or a folder. */
 bool file_is_plain(const char *path);
 
+/* Is this the name, without its folder, of a file that was not finished? */
+bool file_is_unfinished(const char *name);
+
 /* Removes all unfinished files.  For signal handlers: calls unlink alone. */
 void file_remove_unfinished(void);
 

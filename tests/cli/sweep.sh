@@ -6,8 +6,9 @@
 cat >"$work/s.knit" <<'KNIT'
 param c = 0.5 in 0..2
 param n = 2 in 1..4
+param high = 2 in 1..4
 stitch K { kx = -c; ky = c }
-swatch each (x, y) in 2*n by 2 : x < n ? K : P
+swatch each (x, y) in 2*n by high : x < n ? K : P
 sweep c in [0, 0.5], n in 1..2
 solve { steps = 2 }
 output "s-{n}.stl"
@@ -41,10 +42,10 @@ exits 0 'a point by its manifest' "$WEFT" run --from s.sweep/4-c=0.5-n=2/report.
 out 'comes out the same' '^all 2 outputs are identical$'
 mkdir sub
 sed 's/^output.*/output table "t.csv"/' s.knit >sub/t.knit
-exits 0 'a point of a script elsewhere, with options' "$WEFT" sweep sub/t.knit -q --point 2 --seed 3 --steps=4 -D n=3 -o x.obj -j1 --into o
+exits 0 'a point of a script elsewhere, with options' "$WEFT" sweep sub/t.knit -q --point 2 --seed 3 --steps=4 -D high=3 -o x.obj -j1 --into o
 exits 0 'by its manifest' "$WEFT" run --from o/2-c=0-n=2/report.manifest.json
 out 'with all its outputs' '^all 3 outputs are identical$'
-is_command='["run","sub/t.knit","-D","n=3","-D","c=0","-D","n=2","--seed","3","--steps","4","-o","x.obj","-o","report:report.json"]'
+is_command='["run","sub/t.knit","-D","high=3","-D","c=0","-D","n=2","--seed","3","--steps","4","-o","x.obj","-o","report:report.json"]'
 check 'it is a plain run' test "$(value o/2-c=0-n=2/report.manifest.json command.arguments)" = "$is_command"
 
 exits 0 'a plain run of a script with a table' "$WEFT" run sub/t.knit -j 1
@@ -82,9 +83,11 @@ check 'into the same table' cmp 'two words/table.csv' before/table.csv
 
 # ---- what goes wrong ----
 
-sed 's/sweep c.*/sweep n in 1..3/; s/2\*n by 2/(n == 2 ? 5 : 2*n) by 2/; s/x < n/(n == 3 \&\& x == 1 ? z : x < n)/' s.knit >bad.knit
+sed 's/sweep c.*/sweep n in 1..3/; s/2\*n by high/(n == 2 ? 5 : 2*n) by high/; s/x < n/(n == 3 \&\& x == 1 ? z : x < n)/' s.knit >bad.knit
 exits 1 'a point with an error in the script' "$WEFT" sweep bad.knit -j 2
-out 'is missing, the others are there' '^3 points: 2 converged, 0 ended otherwise, 1 missing$'
+out 'ends otherwise, the others are there' '^3 points: 2 converged, 1 ended otherwise, 0 missing$'
+check 'is an error in the table' grep -q '^3,3,error,' bad.sweep/table.csv
+check 'and in the lines' grep -q '"status":"error","report":null' bad.sweep/table.jsonl
 check 'its log says why' grep -q 'error:' bad.sweep/3-n=3/log.txt
 sed 's/steps = 2/steps = 2; max_iterations = 3/' s.knit >short.knit
 exits 1 'points that do not converge' "$WEFT" sweep short.knit -q -j 2
@@ -97,5 +100,133 @@ exits 2 'a point that is not there' "$WEFT" sweep s.knit --point 5
 err 'says how many there are' 'has 4 points, there is no point 5'
 exits 2 'a point that is none' "$WEFT" sweep s.knit --point 0
 exits 4 'a folder that cannot be made' "$WEFT" sweep s.knit --into missing/folder
+exits 2 'a param that -D sets, too' "$WEFT" sweep s.knit -D c=1
+err 'is said to be of the sweep' '-D c: the sweep of s.knit sets this param'
+exits 2 'two things at a time' "$WEFT" sweep s.knit --print --collect
+err 'are too many' 'of --print, --point and --collect a sweep takes one'
+rm -rf s.sweep && mkdir s.sweep && touch s.sweep/1-c=0-n=1
+exits 4 'a folder that is none' "$WEFT" sweep s.knit -j 1
+err 'stops the sweep' 'the point s.sweep/1-c=0-n=1 cannot be started: Not a directory'
+check 'at once' test ! -e s.sweep/2-c=0-n=2
+
+# ---- tables of the script's own; what changes a result and what does not ----
+
+sed 's/^output.*/output table "own.csv"/' s.knit >own.knit
+exits 0 'a table of its own' "$WEFT" sweep own.knit -j 2
+check 'is the table' cmp own.csv own.sweep/table.csv
+sed '1i # The same with a comment, and its table elsewhere.
+    s/own.csv/other.csv/' own.knit >changed && mv changed own.knit
+exits 0 'a comment and another table' "$WEFT" sweep own.knit -j 2
+out 'change no point' '^4 of 4 points were done before$'
+check 'and write the table' cmp own.csv other.csv
+echo 'output "s.stl"' >>own.knit
+exits 1 'another output' "$WEFT" sweep own.knit --collect
+out 'is another sweep' '4 missing (4 of them of another script, other settings or outputs)$'
+exits 0 'a run of a script with a sweep' "$WEFT" run own.knit
+err 'says what it is not' 'own.knit has a sweep of 4 points.*`weft sweep own.knit` runs all'
+rm own.csv other.csv
+exits 0 'no words' "$WEFT" run own.knit -q
+empty 'where none are wanted' err
+check 'and no table of one point' test ! -e other.csv
+
+# ---- files elsewhere ----
+
+mkdir -p lib motifs elsewhere
+echo 'motif small = each (x, y) in 4 by 2 : x < 2 ? K : P' >lib/small.knit
+echo 'KKPP' >motifs/grid.txt
+printf 'use "small.knit"\nuse "grid.txt" as g\nparam t = 1 in 0..2\nmaterial { thickness = t }\nswatch above(g, small)\nsweep t in 0.5..1 by 0.5\n' \
+    >motifs/used.knit
+cd elsewhere || exit 1
+exits 0 'script, used files and results in other folders' "$WEFT" sweep ../motifs/used.knit -I ../lib --into ../results -o sub/x.stl
+check 'are found from here' test -s ../results/2-t=1/sub/x.stl -a -s ../results/table.csv
+check 'and nothing is written here' test -z "$(ls)"
+cd ..
+
+# ---- stopped in the middle ----
+
+cat >slow.knit <<'KNIT'
+param c = 0.5
+stitch K { kx = -c; ky = c }
+motif checks { Row 1: *k2, p2; rep from * to end
+  Row 2: *k2, p2; rep from * to end
+  Row 3: *p2, k2; rep from * to end
+  Row 4: *p2, k2; rep from * to end }
+swatch c < 0.1 ? K : fill(checks, 40, 40)
+solve { steps = 500 }
+sweep c in [0.01, 0.02, 0.5, 0.6]
+output "x.pvd"
+KNIT
+
+# begin: starts the sweep in a group of its own, until a long point has written something.
+begin() {
+    rm -f slow.sweep/*/x*
+    setsid "$WEFT" sweep slow.knit -j 2 >out 2>err &
+    job=$!
+    tries=0
+    while [ ! -e slow.sweep/3-c=0.5/x_001.vtp ] && [ "$tries" -lt 600 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+}
+
+# gone: no process works on the sweep any more.
+gone() {
+    tries=0
+    while pgrep -g "$job" >/dev/null && [ "$tries" -lt 100 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    ! pgrep -g "$job"
+}
+
+# ends_with STATUS: waits for the job.
+ends_with() {
+    status=0
+    wait "$job" 2>/dev/null || status=$?
+    test "$status" = "$1"
+}
+
+if command -v setsid >/dev/null 2>&1 && command -v pgrep >/dev/null 2>&1; then
+    begin
+    kill "$job"
+    check 'stopped: exit status 1' ends_with 1
+    err 'says how to go on' 'stopped; the same command goes on'
+    out 'and what is there' '^4 points: 2 converged, 0 ended otherwise, 2 missing$'
+    check 'its points are stopped, too' gone
+    check 'they say so' grep -q 'stopped after' slow.sweep/3-c=0.5/log.txt
+    check 'nothing is half-written' test -z "$(find slow.sweep -name '.*' -type f)"
+    cp slow.sweep/1-c=0.01/report.json first.json
+
+    begin
+    kill -s KILL "$job"
+    check 'killed' ends_with 137
+    check 'its points stop of their own accord' gone
+
+    begin
+    kill -s KILL -"$job"
+    check 'killed with its points' ends_with 137
+    touch slow.sweep/3-c=0.5/.weft-1-0.part
+    sed '/^motif/,/}$/d; s/fill(checks, 40, 40)/K/; s/steps = 500/steps = 2/' slow.knit >quick.knit
+    exits 0 'a quick one in its place' "$WEFT" sweep quick.knit --into slow.sweep -j 2
+    check 'leaves no rests' test -z "$(find slow.sweep -name '.*' -type f)"
+    check 'and every row' test "$(cut -d , -f 3 slow.sweep/table.csv | sort | uniq -c | tr -d ' \n')" = 4converged1solve.status
+else
+    skip 'stopped in the middle' 'no setsid or pgrep'
+fi
+
+# ---- progress ----
+
+on_terminal() {
+    TERM=xterm script -q -e -c "'$WEFT' sweep s.knit -j 1 --into shown.sweep" typescript >shown 2>&1 </dev/null
+}
+if command -v script >/dev/null 2>&1 && TERM=xterm script -q -e -c true /dev/null >/dev/null 2>&1 </dev/null; then
+    check 'on a terminal' on_terminal
+    tr '\r' '\n' <shown | grep '^\[#*-*\]' | sed "s/$(printf '\033')\[K.*//" >bars
+    check 'a bar shows how many points are done' grep '^\[-*\] 0 of 4 points, 1 running' bars
+    check 'of 80 columns at most' awk 'length > 79 { bad = 1 } END { exit bad }' bars
+    check 'points that are well need no line' sh -c '! grep "converged$" shown'
+else
+    skip 'on a terminal' 'no script program'
+fi
 
 finish
