@@ -80,9 +80,10 @@ static const struct writer *find_writer(enum output_kind kind, const char *path)
     return NULL;
 }
 
-bool outputs_of_sweep(const struct scene *scene, const struct output *output)
+bool outputs_of_sweep(const struct scene *scene, int index)
 {
-    return scene->naxes > 0 && (output->kind == OUTPUT_TABLE || output->kind == OUTPUT_PLOT);
+    const struct output *output = &scene->output[index];
+    return scene->naxes > 0 && output->line > 0 && (output->kind == OUTPUT_TABLE || output->kind == OUTPUT_PLOT);
 }
 
 bool outputs_has_chart(struct chart_file chart)
@@ -171,7 +172,7 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
             status = outputs_check_chart((struct chart_file){output->kind, output->path}, scene);
         if (status == STATUS_DONE)
             status = check_built(scene, output);
-        if (status == STATUS_DONE && !outputs_of_sweep(scene, output))
+        if (status == STATUS_DONE && !outputs_of_sweep(scene, i))
             status = check_path(outputs, output);
         if (status != STATUS_DONE)
             return status;
@@ -320,9 +321,7 @@ static bool write_due(struct outputs *outputs, const struct occasion *now)
     for (int i = 0; i < outputs->scene->noutputs && done; i++) {
         const struct output *output = &outputs->scene->output[i];
         const struct writer *writer = find_writer(output->kind, output->path);
-        if (outputs_of_sweep(outputs->scene, output))
-            continue;
-        if (writer->due & now->due)
+        if (writer->due & now->due && !outputs_of_sweep(outputs->scene, i))
             done = writer->write(outputs, i, now);
         else if (now->due == DUE_STEP && output->kind == OUTPUT_GLB)
             done = keep_step(outputs, i, now);

@@ -32,8 +32,8 @@ bool outputs_step(struct outputs *outputs, const struct fold_step *step, const s
 bool outputs_final(struct outputs *outputs, const struct fold_state *state, const struct fold_record *record);
 bool outputs_report(struct outputs *outputs, struct report *report);
 
-/* Is it made of all points of a sweep, so that `weft sweep` writes it and no run does? */
-bool outputs_of_sweep(const struct scene *scene, const struct output *output);
+/* Plots and tables in a script with a sweep are of the sweep, not of its runs. */
+bool outputs_of_sweep(const struct scene *scene, int index);
 
 /* Growth steps a collection has so far; -1: the output is not a collection. */
 int outputs_steps(const struct outputs *outputs, int index);

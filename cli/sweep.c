@@ -20,6 +20,7 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/script.h"
 #include "cli/sweep_table.h"
@@ -273,7 +274,7 @@ static enum status collect(const struct sweep *sweep, const struct scene *scene)
     const char **table = arena_array(&arena, const char *, (size_t)scene->noutputs + 1);
     int ntables = 0;
     for (int i = 0; i < scene->noutputs; i++)
-        if (scene->output[i].kind == OUTPUT_TABLE)
+        if (scene->output[i].kind == OUTPUT_TABLE && outputs_of_sweep(scene, i))
             table[ntables++] = scene->output[i].path;
     bool written = sweep_table_write(sweep, table, ntables, &log, &count);
     if (!written)

@@ -154,12 +154,14 @@ static void scene_key(const struct sweep *sweep, const struct scene *scene, char
         hash_text(hasher, s->symbol);
         file_print(hasher, "%a %a %a %d\n", s->kx, s->ky, s->twist, (int)s->ws);
     }
-    for (const struct output *o = scene->output; o < scene->output + scene->noutputs; o++)
-        if (!outputs_of_sweep(scene, o)) {
+    for (int i = 0; i < scene->noutputs; i++) {
+        const struct output *o = &scene->output[i];
+        if (!outputs_of_sweep(scene, i)) {
             hash_text(hasher, output_kind_name(o->kind));
             hash_text(hasher, o->path);
             output_values(o, hash_value, hasher);
         }
+    }
     file_hash(hasher, key);
     file_log_free(&log);
 }

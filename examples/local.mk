@@ -13,3 +13,8 @@ EXAMPLES = examples/bars.knit \
     examples/weave.knit
 examplesdir = $(pkgdatadir)/examples
 dist_examples_DATA = $(EXAMPLES)
+
+# A sweep, and scripts that run it on many processors and machines.
+SWEEP_EXAMPLES = examples/sweep/sweep.knit examples/sweep/parallel.sh examples/sweep/slurm.sh
+sweep_examplesdir = $(examplesdir)/sweep
+dist_sweep_examples_DATA = $(SWEEP_EXAMPLES)

@@ -6,6 +6,7 @@ cli_tests = \
     tests/cli/interrupt.sh \
     tests/cli/layers.sh \
     tests/cli/list.sh \
+    tests/cli/many.sh \
     tests/cli/manifest.sh \
     tests/cli/options.sh \
     tests/cli/params.sh \

@@ -203,7 +203,7 @@ if command -v setsid >/dev/null 2>&1 && command -v pgrep >/dev/null 2>&1; then
     check 'its points stop of their own accord' gone
 
     begin
-    kill -s KILL -"$job"
+    kill -s KILL -- "-$job"
     check 'killed with its points' ends_with 137
     touch slow.sweep/3-c=0.5/.weft-1-0.part
     sed '/^motif/,/}$/d; s/fill(checks, 40, 40)/K/; s/steps = 500/steps = 2/' slow.knit >quick.knit
