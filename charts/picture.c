@@ -110,7 +110,9 @@ static const unsigned char *read_pixels(struct arena *arena, struct diag *diag, 
                                         png_image *image)
 {
     const unsigned char *pixel = NULL;
-    if (png_image_begin_read_from_memory(image, source->text, source->size)) {
+    if (!picture_is_png(source))
+        diag_error(diag, CODE_PICTURE, whole(arena, source), "this is no PNG picture");
+    else if (png_image_begin_read_from_memory(image, source->text, source->size)) {
         image->format = PNG_FORMAT_RGBA;
         if (check_size(diag, source, image)) {
             unsigned char *room = arena_array(arena, unsigned char, PNG_IMAGE_SIZE(*image));

@@ -24,6 +24,7 @@ enum {
     LIMIT_OUTPUTS      = 100,                   /* files to write */
     LIMIT_NAME         = 100,                   /* bytes of a name */
     LIMIT_MESSAGES     = 20,                    /* shown in one run */
+    LIMIT_ERRORS       = 10 * 1000,             /* after them a script is read no further */
     LIMIT_PARSER_STACK = 4000                   /* symbols the parser holds */
 };
 

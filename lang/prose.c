@@ -56,8 +56,12 @@ static bool is_one_of(const char *text, const char *const *word, int n)
 /* Whether one of the characters stands on the line. */
 static bool line_has(const char *text, const char *characters)
 {
-    return text[strcspn(text, "\r\n")] ? strcspn(text, characters) < line_length(text)
-                                       : strpbrk(text, characters) != NULL;
+    size_t n = line_length(text);
+
+    for (size_t i = 0; i < n; i++)
+        if (strchr(characters, text[i]))
+            return true;
+    return false;
 }
 
 static bool line_has_word(const char *text, const char *word)
