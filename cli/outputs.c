@@ -16,6 +16,7 @@
 #include "cli/progress.h"
 #include "cli/script.h"
 #include "output/chart.h"
+#include "output/growth.h"
 #include "output/obj.h"
 #include "output/page.h"
 #include "output/portrait.h"
@@ -28,8 +29,9 @@ enum { SAMPLES_DEFAULT = 2, SAMPLES_PICTURE = 4 };
 
 /* ---- what can be written ---- */
 
-/* When: of a writer, all its times (0: not by a run but by a sweep); of an occasion, one. */
-enum due { DUE_CHART = 1, DUE_STEP = 2, DUE_FINAL = 4, DUE_REPORT = 8 };
+/* When: of a writer, all its times; of an occasion, one.  Final: a fold that did
+ * not fail; record: any fold, once it has ended. */
+enum due { DUE_CHART = 1, DUE_STEP = 2, DUE_FINAL = 4, DUE_RECORD = 8, DUE_REPORT = 16 };
 
 /* What is known when outputs are due: the members that make sense then. */
 struct occasion {
@@ -41,7 +43,7 @@ struct occasion {
 };
 
 typedef bool write_output(struct outputs *outputs, int index, const struct occasion *now);
-static write_output write_report, write_chart, write_step, write_mesh, write_page;
+static write_output write_report, write_chart, write_step, write_mesh, write_page, write_growth;
 
 static const struct writer {
     enum output_kind kind;
@@ -61,7 +63,8 @@ static const struct writer {
     {OUTPUT_STL,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_GLB,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_PICTURE, NULL,  DUE_FINAL,  write_mesh},
-    {OUTPUT_TABLE,  NULL,   0,          NULL},
+    {OUTPUT_PLOT,   NULL,   DUE_RECORD, write_growth},
+    {OUTPUT_TABLE,  NULL,   DUE_RECORD, write_growth},
     {OUTPUT_HTML,   NULL,   DUE_STEP | DUE_FINAL, write_page},
 };
 enum { NWRITERS = sizeof writers / sizeof writers[0] };
@@ -113,22 +116,11 @@ static enum status status_of(const struct output *output)
     return output->line > 0 ? STATUS_SCRIPT : STATUS_USAGE;
 }
 
-/* A run asked for a table: a script may say what its sweep writes, -o may not. */
-static enum status check_table(const struct outputs *outputs, const struct output *output)
+static enum status check_kind(const struct scene *scene, const struct output *output)
 {
-    if (output->line > 0 || outputs->log.into)
+    if (find_writer(output->kind, output->path))
         return STATUS_DONE;
-    print_place(outputs->scene, output);
-    fprintf(stderr, "a table is written by `weft sweep`; the chart would be chart:%s\n", output->path);
-    return STATUS_USAGE;
-}
-
-static enum status check_kind(const struct outputs *outputs, const struct output *output)
-{
-    const struct writer *writer = find_writer(output->kind, output->path);
-    if (writer)
-        return writer->due == 0 ? check_table(outputs, output) : STATUS_DONE;
-    print_place(outputs->scene, output);
+    print_place(scene, output);
     fprintf(stderr, "this weft cannot write the %s '%s'; it can write:", output_kind_name(output->kind), output->path);
     for (const struct writer *w = writers; w < writers + NWRITERS; w++)
         fprintf(stderr, "%s %s%s%s%s", w == writers ? "" : ",", output_kind_name(w->kind), w->extension ? " (" : "",
@@ -167,7 +159,7 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
         return STATUS_FAILED;
     for (int i = 0; i < scene->noutputs; i++) {
         const struct output *output = &scene->output[i];
-        enum status status = check_kind(outputs, output);
+        enum status status = check_kind(scene, output);
         if (status == STATUS_DONE)
             status = outputs_check_chart((struct chart_file){output->kind, output->path}, scene);
         if (status == STATUS_DONE)
@@ -285,6 +277,13 @@ static bool write_mesh(struct outputs *outputs, int index, const struct occasion
     return done;
 }
 
+static bool write_growth(struct outputs *outputs, int index, const struct occasion *now)
+{
+    const struct output *output = &outputs->scene->output[index];
+    return output->kind == OUTPUT_PLOT ? growth_plot(&outputs->log, output, now->record)
+                                       : growth_table(&outputs->log, output->path, now->record);
+}
+
 /* What is written in the end, but has to be collected on the way. */
 static bool keep_step(struct outputs *outputs, int index, const struct occasion *now)
 {
@@ -347,6 +346,8 @@ bool outputs_final(struct outputs *outputs, const struct fold_state *state, cons
 
 bool outputs_report(struct outputs *outputs, struct report *report)
 {
+    if (!write_due(outputs, &(struct occasion){.due = DUE_RECORD, .record = report->record}))
+        return false;
     report->write_s = outputs->write_s;
     return write_due(outputs, &(struct occasion){.due = DUE_REPORT, .report = report});
 }

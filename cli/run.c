@@ -78,8 +78,8 @@ static void print_files(const struct run *run)
         before = ",";
     }
     for (int i = 0; i < scene->noutputs; i++)
-        if (scene->output[i].kind == OUTPUT_TABLE) {
-            printf("%sthe table %s is of `weft sweep`", *before == ',' ? "; " : "", scene->output[i].path);
+        if (outputs_of_sweep(scene, i)) {
+            printf("%s%s is of `weft sweep`", *before == ',' ? "; " : "", scene->output[i].path);
             before = ",";
         }
     if (manifest)
@@ -178,7 +178,7 @@ static void print_plan(const struct scene *scene, int seeds)
     printf(forecast.seconds < 10 ? "about %.2g s, %.2g GB\n" : "about %.0f s, %.2g GB\n", forecast.seconds, forecast.bytes / 1e9);
     int n = 0;
     for (int i = 0; i < scene->noutputs; i++)
-        if (scene->output[i].kind != OUTPUT_TABLE)
+        if (!outputs_of_sweep(scene, i))
             printf("%s %s", n++ == 0 ? "would write" : ",", scene->output[i].path);
     printf("%s", n > 0 ? "\n" : "");
 }

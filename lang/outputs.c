@@ -204,6 +204,8 @@ static const double light_angles[][2] = {{-40, 40}, {40, 40}, {0, 0}};
 static const char *const colors[] = {"stitch", "height", "mean", "gauss", "bending", "stretching", NULL};
 static const char *const palettes[] = {"paper", "safe", NULL};
 static const char *const switches[] = {"off", "on", NULL};
+static const char *const shows[] = {"energy", "convergence", NULL};
+static const char *const scales[] = {"auto", "linear", "log", NULL};
 static const char *const backgrounds[] = {"white", "transparent", NULL};
 
 /* What the block of an output may hold, and the kinds that take it. */
@@ -221,14 +223,17 @@ static const struct output_key {
     {OF(PICTURE), {.name = "edges", WORDS(KEY_SWITCH, "off", switches), .offset = AT(picture.edges)}},
     {OF(PICTURE), {.name = "background", WORDS(KEY_SWITCH, "white", backgrounds), .offset = AT(picture.transparent)}},
     {OF(PICTURE), {.name = "chart", WORDS(KEY_SWITCH, "off", switches), .offset = AT(picture.chart)}},
+    {OF(PLOT), {.name = "show", WORDS(KEY_WORD, "energy", shows), .offset = AT(graph.show)}},
+    {OF(PLOT), {.name = "scale", WORDS(KEY_WORD, "auto", scales), .offset = AT(graph.scale)}},
+    {OF(PLOT), {.name = "width", .type = KEY_WHOLE, .low = 100, .high = 10000, .number = 640, .offset = AT(graph.width)}},
 };
 enum { KEYS = sizeof output_keys / sizeof *output_keys };
 
-/* A key some kinds of output take. */
-static const struct output_key *find_key(const char *name)
+/* A key this kind of output takes. */
+static const struct output_key *find_key(const char *name, enum output_kind kind)
 {
     for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
-        if (strcmp(k->key.name, name) == 0)
+        if (k->kinds & 1u << kind && strcmp(k->key.name, name) == 0)
             return k;
     return NULL;
 }
@@ -269,10 +274,10 @@ static void wrong_key(struct eval *eval, const struct pair *pair, enum output_ki
 static bool read_pairs(struct eval *eval, const struct pair *first, struct output *output)
 {
     for (const struct pair *pair = first; pair; pair = pair->next) {
-        const struct output_key *k = find_key(pair->key);
+        const struct output_key *k = find_key(pair->key, output->kind);
         struct key_value value;
 
-        if (!k || !(k->kinds & 1u << output->kind)) {
+        if (!k) {
             wrong_key(eval, pair, output->kind);
             return false;
         }

@@ -86,6 +86,16 @@ struct picture {
     bool          chart;        /* the stitch chart beside the surface */
 };
 
+enum graph_show  { GRAPH_ENERGY, GRAPH_CONVERGENCE };
+enum graph_scale { GRAPH_AUTO, GRAPH_LINEAR, GRAPH_LOG };
+
+/* What a plot shows. */
+struct graph {
+    enum graph_show  show;
+    enum graph_scale scale;     /* of the energies or the gradient; auto: linear energies, logarithmic gradients */
+    int              width;     /* pixels, or points in SVG and PDF */
+};
+
 /* One file to write.  Keys of its block that a kind does not know are errors at compile time. */
 struct output {
     enum output_kind kind;
@@ -93,6 +103,7 @@ struct output {
     int              per_stitch;    /* samples along a stitch's side, 0 = the kind's default */
     int              format;        /* pvd, vtp: enum output_format */
     struct picture   picture;       /* of the kinds that show the surface */
+    struct graph     graph;         /* of plots */
     int              line;          /* of the script, 0 = command line */
 };
 

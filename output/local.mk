@@ -6,6 +6,7 @@ liboutput_a_SOURCES = \
     output/field.c output/field.h \
     output/file.c output/file.h \
     output/glb.c output/glb.h \
+    output/growth.c output/growth.h \
     output/json.c output/json.h \
     output/little.h \
     output/number.h \

@@ -11,6 +11,7 @@ cli_tests = \
     tests/cli/options.sh \
     tests/cli/params.sh \
     tests/cli/picture.sh \
+    tests/cli/plot.sh \
     tests/cli/progress.sh \
     tests/cli/resume.sh \
     tests/cli/run.sh \

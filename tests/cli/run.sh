@@ -75,12 +75,12 @@ holds 'none of these wrote anything' "$work/set" r.json r.manifest.json
 
 # ---- outputs that cannot be written: said before any work ----
 
-exits 2 'a kind that is not there yet' "$WEFT" run "$work/rib.knit" -o "plot:$work/set/x.svg"
+exits 2 'a kind that is not there yet' "$WEFT" run "$work/rib.knit" -o "chart:$work/set/x.svg"
 err 'says which kinds there are' 'it can write: report, chart (.txt).* glb'
 empty 'before it starts' "$work/out"
-printf 'output plot "x.svg"\n' | cat "$work/rib.knit" - >"$work/plot.knit"
-exits 3 'a kind that is not there yet, in the script' "$WEFT" run "$work/plot.knit"
-err 'has its place' 'plot.knit:5: error: .*it can write:'
+printf 'output chart "x.svg"\n' | cat "$work/rib.knit" - >"$work/chart.knit"
+exits 3 'a kind that is not there yet, in the script' "$WEFT" run "$work/chart.knit"
+err 'has its place' 'chart.knit:5: error: .*it can write:'
 exits 4 'a folder that is not there' "$WEFT" run "$work/rib.knit" -o "$work/none/x.pvd"
 err 'is named' "there is no folder '.*/none'"
 exits 4 'a folder that is a file' "$WEFT" run "$work/rib.knit" -o "$work/rib.knit/x.vtp"

@@ -3,7 +3,7 @@ if HAVE_CMOCKA
 check_LIBRARIES += libsample.a
 libsample_a_SOURCES = tests/output/sample.c tests/output/sample.h
 
-check_PROGRAMS += tests/output/test_binary tests/output/test_file tests/output/test_mesh tests/output/test_portrait tests/output/test_report
+check_PROGRAMS += tests/output/test_binary tests/output/test_file tests/output/test_mesh tests/output/test_plot tests/output/test_portrait tests/output/test_report
 
 tests_output_test_binary_SOURCES = tests/output/test_binary.c
 tests_output_test_binary_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
@@ -20,6 +20,10 @@ tests_output_test_mesh_LDADD = libsample.a liboutput.a libsolver.a $(LIBRARIES_O
 tests_output_test_report_SOURCES = tests/output/test_report.c
 tests_output_test_report_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_output_test_report_LDADD = libsample.a liboutput.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
+tests_output_test_plot_SOURCES = tests/output/test_plot.c
+tests_output_test_plot_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_output_test_plot_LDADD = libsample.a liboutput.a libdrawing.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 
 tests_output_test_portrait_SOURCES = tests/output/test_portrait.c
 tests_output_test_portrait_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
