@@ -34,7 +34,7 @@ char *manifest_path(const struct scene *scene, const char *extension)
     char *path = NULL;
     for (int i = scene->noutputs - 1; i >= 0; i--) {
         const struct output *o = &scene->output[i];
-        bool written = o->kind != OUTPUT_TABLE && file_is_plain(o->path);
+        bool written = !outputs_of_sweep(scene, i) && file_is_plain(o->path);
         if (written && (o->kind == OUTPUT_REPORT || !beside || beside->kind != OUTPUT_REPORT))
             beside = o;
     }

@@ -236,7 +236,7 @@ static void what_is_not_finite_is_a_gap(void **state)
     struct place *p = *state;
     const double x[] = {0, 1, 2, 3, 4}, y[] = {1, 2, NAN, 4, 5}, z[] = {INFINITY, 1, 2, -3, 4};
     const struct plot_line line[] = {{"a", 5, x, y}, {"b", 5, x, z}};
-    struct plot_panel panel = {.x = {"x"}, .y = {"y"}, .nlines = 2, .line = line};
+    struct plot_panel panel = {.x = {.title = "x"}, .y = {.title = "y"}, .nlines = 2, .line = line};
     double at[32];
     char *svg = svg_of(p, &(struct plot){.npanels = 1, .panel = &panel});
     assert_int_equal(read_path(svg, first, 0, at, 32), 9);
@@ -269,7 +269,7 @@ static void there_may_be_little_to_show(void **state)
                                      .ny = 1, .x = one, .y = one, .value = i % 2 ? one : none};
         assert_true(plot_map(&p->log, p->path, &map));
     }
-    char *svg = svg_of(p, &(struct plot){.npanels = 1, .panel = &(struct plot_panel){.x = {"x"}, .y = {"y"}, .nlines = 1, .line = &line[1]}});
+    char *svg = svg_of(p, &(struct plot){.npanels = 1, .panel = &(struct plot_panel){.x = {.title = "x"}, .y = {.title = "y"}, .nlines = 1, .line = &line[1]}});
     assert_non_null(strstr(svg, "fill:rgb(12.156863%,30.588235%,54.901961%)"));     /* a mark */
     free(svg);
     assert_false(plot_lines(&p->log, named(p, "none/x.svg"), &(struct plot){0}));
@@ -281,7 +281,7 @@ static void same_numbers_same_bytes(void **state)
     struct place *p = *state;
     const double x[] = {0, 1, 2, 3};
     const struct plot_line line[] = {{"a", 4, x, x}, {"b", 2, x, x + 2}};
-    const struct plot_panel panel = {.x = {"x"}, .y = {"y"}, .legend = "c", .ordered = true, .nlines = 2, .line = line};
+    const struct plot_panel panel = {.x = {.title = "x"}, .y = {.title = "y"}, .legend = "c", .ordered = true, .nlines = 2, .line = line};
     const struct plot_map map = {.x_title = "x", .y_title = "y", .title = "t", .nx = 2, .ny = 2, .x = x, .y = x, .value = x};
     const char *const names[] = {"x.svg", "x.pdf", "x.png"};
     for (int i = 0; i < 6; i++) {
