@@ -83,7 +83,7 @@ static uint32_t shaded(const double color[3], double shade, double lit, double b
     double light = brightness * fmin(shade + 1.2 * (1 - shade) * fmax(lit, 0), 1);
     uint32_t rgb = 0;
     for (int c = 0; c < 3; c++)
-        rgb = rgb << 8 | (uint32_t)lround(255 * light * color[c]);
+        rgb = rgb << 8 | (uint32_t)(255 * light * color[c] + 0.5);
     return rgb;
 }
 
@@ -92,38 +92,37 @@ struct triangle {
     const struct corner *corner[3];
     const double        *color;
     unsigned             lines;
+    double               line[3];       /* of those: what turn() makes of the line's edge and the side */
 };
 
 /* Is a sample, given by what turn() makes of it and each side, on a line? */
 static bool on_line(const struct triangle *t, const int64_t inside[3])
 {
-    for (int k = 0; k < 3; k++) {
-        const struct corner *a = t->corner[k], *b = t->corner[(k + 1) % 3];
-        if ((t->lines >> k & 1) &&
-            (double)llabs(inside[k]) < line_half * SAMPLES * STEPS * hypot((double)(b->x - a->x), (double)(b->y - a->y)))
+    for (int k = 0; k < 3; k++)
+        if ((t->lines >> k & 1) && (double)llabs(inside[k]) < t->line[k])
             return true;
-    }
     return false;
 }
 
 /* One sample inside a triangle; inside[k] over area is the weight of the corner opposite to side k. */
 static void draw_sample(struct band *band, const struct triangle *t, const int64_t inside[3], int64_t area, size_t at)
 {
-    double depth = 0, lit = 0;
+    double weight[3], depth = 0, lit = 0;
     for (int k = 0; k < 3; k++) {
-        double weight = (double)inside[k] / (double)area;
-        depth += weight * t->corner[(k + 2) % 3]->depth;
-        lit += weight * t->corner[(k + 2) % 3]->lit;
+        weight[k] = (double)inside[k] / (double)area;
+        depth += weight[k] * t->corner[(k + 2) % 3]->depth;
     }
     if ((float)depth <= band->depth[at])
         return;
+    for (int k = 0; k < 3; k++)
+        lit += weight[k] * t->corner[(k + 2) % 3]->lit;
     band->depth[at] = (float)depth;
     bool front = area < 0;
     double brightness = (front ? 1 : behind) * (t->lines && on_line(t, inside) ? line_dark : 1);
     band->color[at] = shaded(t->color, band->shade, front ? lit : -lit, brightness);
 }
 
-static void draw_triangle(struct band *band, const struct triangle *t)
+static void draw_triangle(struct band *band, struct triangle *t)
 {
     const struct corner *a = t->corner[0], *b = t->corner[1], *c = t->corner[2];
     int64_t area = turn(a, b, c->x, c->y), sign = area < 0 ? -1 : 1;
@@ -131,13 +130,28 @@ static void draw_triangle(struct band *band, const struct triangle *t)
     int64_t bottom = least(sample_from(most(a->y, most(b->y, c->y)) + 1), band->end);
     int64_t left = most(sample_from(least(a->x, least(b->x, c->x))), 0);
     int64_t right = least(sample_from(most(a->x, most(b->x, c->x)) + 1), band->width);
-    for (int64_t j = top; area && j < bottom; j++) {
+    if (area == 0 || left >= right)
+        return;
+    /* What turn() makes of the first sample of a row, and how that grows from one sample to the next. */
+    const struct corner *from[3] = {a, b, c}, *to[3] = {b, c, a};
+    int64_t start[3], along[3], down[3];
+    for (int k = 0; k < 3; k++) {
+        start[k] = turn(from[k], to[k], left * STEPS + STEPS / 2, top * STEPS + STEPS / 2);
+        along[k] = (from[k]->y - to[k]->y) * STEPS;
+        down[k] = (to[k]->x - from[k]->x) * STEPS;
+        if (t->lines >> k & 1)
+            t->line[k] = line_half * SAMPLES * hypot((double)along[k], (double)down[k]);
+    }
+    for (int64_t j = top; j < bottom; j++) {
+        int64_t inside[3] = {start[0], start[1], start[2]};
         for (int64_t i = left; i < right; i++) {
-            int64_t x = i * STEPS + STEPS / 2, y = j * STEPS + STEPS / 2;
-            int64_t inside[3] = {turn(a, b, x, y), turn(b, c, x, y), turn(c, a, x, y)};
             if (sign * inside[0] >= 0 && sign * inside[1] >= 0 && sign * inside[2] >= 0)
                 draw_sample(band, t, inside, area, (size_t)((j - band->first) * band->width + i));
+            for (int k = 0; k < 3; k++)
+                inside[k] += along[k];
         }
+        for (int k = 0; k < 3; k++)
+            start[k] += down[k];
     }
 }
 
@@ -152,8 +166,8 @@ static void draw_cell(struct band *band, const struct render *r, const struct co
         least(least(a->y, b->y), least(c->y, d->y)) > band->end * STEPS)
         return;
     const double *color = r->color[(size_t)j * (size_t)s->nx + (size_t)i];
-    draw_triangle(band, &(struct triangle){{a, b, c}, color, r->edges ? bottom | right << 1 : 0});
-    draw_triangle(band, &(struct triangle){{a, c, d}, color, r->edges ? top << 1 | left << 2 : 0});
+    draw_triangle(band, &(struct triangle){{a, b, c}, color, r->edges ? bottom | right << 1 : 0, {0}});
+    draw_triangle(band, &(struct triangle){{a, c, d}, color, r->edges ? top << 1 | left << 2 : 0, {0}});
 }
 
 /* The mean of a pixel's samples, what is empty counting as nothing. */
