@@ -106,11 +106,12 @@ struct estimate cross_check(const struct problem *p, const double *x)
     patches_from_samples(patches, &samples, y);
     surface_free(&samples);
 
-    struct effort apart = {0};      /* the fold's own counts are the triangles' */
     struct problem other;
-    problem_open(&other, patches, &apart);
+    problem_open(&other, patches, p->effort);
     other.growth = p->growth;
-    other.limit = MOST_ITERATIONS;
+    other.progress = p->progress;
+    other.progress_self = p->progress_self;
+    other.limit = p->effort->iterations + MOST_ITERATIONS;
     other.tolerance = TOLERANCE * sheet->thickness * sheet->thickness;
     struct estimate error = {-1, -1};
     if (descent_to_minimum(&other, METHOD_AUTO, y).minimum)

@@ -14,11 +14,13 @@ static const double NONZERO = 1.5e-9;           /* s, of a factor, per iteration
 static const double ENTRY = 1e-9;               /* s, of a Hessian, per conjugate step */
 static const double ELEMENT = 1e-6;             /* s, per iteration */
 static const double ASSEMBLE = 1.2e-5;          /* s, an element, per factorisation */
+static const double FACE = 0.25;                /* of an element's costs, for a triangle */
 static const double KEPT = 2.6;                 /* times a factor and its pattern */
 static const double PROGRAM = 15e6;             /* bytes */
 enum { FIRST_ITERATIONS = 90, FIRST_FACTORS = 5, GROWTH_ITERATIONS = 20, GROWTH_FACTORS = 2 };
 enum { LEVEL_ITERATIONS = 60, LEVEL_FACTORS = 5 };
 enum { NEWTON_STEPS = 14, CONJUGATE_STEPS = 25 };   /* of a level too large to factor, and of each step there */
+enum { CHECK_ITERATIONS = 40, CHECK_FACTORS = 6 };  /* on patches, for the error of triangles */
 enum { NEXT_LEVEL = 4 };                            /* times as many unknowns */
 
 /* The last level that was factored. */
@@ -41,9 +43,10 @@ static struct factored add_level(struct forecast *f, const struct discretisation
         own.flops = factor_flops(factor);
         factor_free(factor);
     }
+    double elements = (double)d->elements * (d->op->restrict_hessian ? 1 : FACE);
     own.bytes = KEPT * (own.nonzeros * sizeof(double) + hessian_entries(d) * (sizeof(double) + sizeof(int)));
-    f->seconds += iterations * (own.nonzeros * NONZERO + (double)d->elements * ELEMENT);
-    f->seconds += factors * (own.flops * FLOP + (double)d->elements * ASSEMBLE);
+    f->seconds += iterations * (own.nonzeros * NONZERO + elements * ELEMENT);
+    f->seconds += factors * (own.flops * FLOP + elements * ASSEMBLE);
     f->bytes = PROGRAM + own.bytes;
     return own;
 }
@@ -57,6 +60,16 @@ static void add_conjugate_level(struct forecast *f, const struct discretisation 
     f->seconds += NEWTON_STEPS * (coarse->flops * FLOP + (double)d->elements * ASSEMBLE + CONJUGATE_STEPS * step);
     f->bytes = PROGRAM + coarse->bytes +
                (1 + NEXT_LEVEL) * (hessian_entries(d) * (sizeof(double) + sizeof(int)) + d->n * unknown);
+}
+
+/* Triangles find their error on patches, with their own level kept. */
+static void add_check(struct forecast *f, const struct sheet *sheet)
+{
+    struct discretisation *patches = levels_patches(sheet, 1, 1);
+    double kept = f->bytes;
+    add_level(f, patches, CHECK_ITERATIONS, CHECK_FACTORS);
+    f->bytes += kept - PROGRAM;
+    patches->op->free(patches);
 }
 
 struct forecast forecast_fold(const struct sheet *sheet)
@@ -75,6 +88,8 @@ struct forecast forecast_fold(const struct sheet *sheet)
         else
             last = add_level(&forecast, d, LEVEL_ITERATIONS, LEVEL_FACTORS);
     }
+    if (!d->op->restrict_hessian)
+        add_check(&forecast, sheet);
     forecast.per_stitch = d->per_stitch;
     forecast.unknowns = d->n;
     forecast.elements = d->elements;

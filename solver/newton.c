@@ -138,50 +138,69 @@ static bool step_by_gradient(struct problem *p, double *x)
     return true;
 }
 
+/* What Newton's method carries from step to step. */
+struct march {
+    double energy;
+    double shift;           /* of the Hessian, in masses */
+    double before;          /* the gradient one step ago */
+    double most;            /* way of a node in one step */
+    bool   keep;            /* near the end one factor serves several steps */
+};
+
+/* Below rounding: by the gradient; where even that ends and the factor is fresh, this is all there is. */
+static enum outcome last_steps(struct problem *p, double *x, struct march *m)
+{
+    p->effort->iterations++;
+    if (!step_by_gradient(p, x) && !m->keep)
+        return OUTCOME_PRECISION;
+    m->keep = false;
+    m->energy = p->energy.total;
+    return OUTCOME_CONVERGED;
+}
+
+/* Along the step as far as it descends; the shift learns from how far that was. */
+static enum outcome descend(struct problem *p, double *x, double slope, struct march *m)
+{
+    double length = line_search(p, x, m->energy, slope);
+    if (length == 0) {
+        problem_evaluate(p, x);
+        bool again = m->keep;
+        m->keep = false;
+        return again ? OUTCOME_CONVERGED : OUTCOME_STALLED;
+    }
+    p->effort->iterations++;
+    m->energy = p->energy.total;
+    m->keep = length == 1 && m->shift == 0 && !p->two_level;
+    if (length == 1)
+        m->shift = m->shift / 8 < FIRST_SHIFT * 1e-3 ? 0 : m->shift / 8;
+    else if (length < 0.25)
+        m->shift = fmax(4 * m->shift, FIRST_SHIFT);
+    return problem_report(p) ? OUTCOME_CONVERGED : OUTCOME_STOPPED;
+}
+
+/* One step; OUTCOME_CONVERGED: so far all is well. */
+static enum outcome newton_step(struct problem *p, double *x, struct march *m)
+{
+    m->keep = m->keep && p->gradient_max < KEPT * m->before;
+    m->before = p->gradient_max;
+    if (p->effort->iterations >= p->limit)
+        return OUTCOME_LIMIT;
+    if (!(p->two_level ? conjugate_step(p, x) : factored_step(p, x, &m->shift, m->keep)))
+        return OUTCOME_FAILED;
+    cap_step(p->d, m->most, p->step);
+    double slope = dot(p->d->n, p->gradient, p->step);
+    return -slope < ROUNDING * fabs(m->energy) ? last_steps(p, x, m) : descend(p, x, slope, m);
+}
+
 enum outcome newton_minimise(struct problem *p, double *x)
 {
     const struct sheet *sheet = p->d->sheet;
-    double shift = 0, most = 0.25 * fmax(sheet->columns * sheet->dx, sheet->rows * sheet->dy);
-    double energy = problem_evaluate(p, x), before = INFINITY;
-    bool keep = false;      /* near the end one factor serves several steps */
-    if (!isfinite(energy))
-        return OUTCOME_FAILED;
-    while (p->gradient_max > p->tolerance) {
-        keep = keep && p->gradient_max < KEPT * before;
-        before = p->gradient_max;
-        if (p->effort->iterations >= p->limit)
-            return OUTCOME_LIMIT;
-        if (!(p->two_level ? conjugate_step(p, x) : factored_step(p, x, &shift, keep)))
-            return OUTCOME_FAILED;
-        cap_step(p->d, most, p->step);
-        double slope = dot(p->d->n, p->gradient, p->step);
-        if (-slope < ROUNDING * fabs(energy)) {
-            p->effort->iterations++;
-            if (!step_by_gradient(p, x) && !keep)
-                return OUTCOME_PRECISION;
-            keep = false;
-            energy = p->energy.total;
-            continue;
-        }
-        double length = line_search(p, x, energy, slope);
-        if (length == 0) {
-            problem_evaluate(p, x);
-            if (!keep)
-                return OUTCOME_STALLED;
-            keep = false;
-            continue;
-        }
-        p->effort->iterations++;
-        energy = p->energy.total;
-        keep = length == 1 && shift == 0 && !p->two_level;
-        if (length == 1)
-            shift = shift / 8 < FIRST_SHIFT * 1e-3 ? 0 : shift / 8;
-        else if (length < 0.25)
-            shift = fmax(4 * shift, FIRST_SHIFT);
-        if (!problem_report(p))
-            return OUTCOME_STOPPED;
-    }
-    return OUTCOME_CONVERGED;
+    struct march m = {.energy = problem_evaluate(p, x), .before = INFINITY,
+                      .most = 0.25 * fmax(sheet->columns * sheet->dx, sheet->rows * sheet->dy)};
+    enum outcome outcome = isfinite(m.energy) ? OUTCOME_CONVERGED : OUTCOME_FAILED;
+    while (outcome == OUTCOME_CONVERGED && p->gradient_max > p->tolerance)
+        outcome = newton_step(p, x, &m);
+    return outcome;
 }
 
 /* Inverse iteration with the shifted factor ends in the softest direction; v.Hv tells its curvature. */

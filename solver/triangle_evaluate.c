@@ -86,20 +86,28 @@ LANES_INLINE struct lanes_one alive(struct lanes_one a, int count)
 
 #define ALIVE(a, count) (alive((struct lanes_one){a}, count).v)
 
+/* Everything about a batch's faces. */
+struct faces {
+    struct triangle_state    s;
+    struct triangle_shape    shape;
+    struct triangle_across   across[3];
+    struct triangle_angles   alpha;
+    struct triangle_response r;
+};
+
 /* State -> shape, angles and response of a batch. */
-LANES_INLINE void respond(const struct triangle *t, const struct triangle_batch *b, double growth,
-                          const struct triangle_state *s, struct triangle_shape *shape,
-                          struct triangle_across across[3], struct triangle_angles *alpha,
-                          struct triangle_response *r)
+LANES_INLINE void respond(const struct triangle *t, const struct triangle_batch *b, const struct job *job,
+                          struct faces *f)
 {
-    triangle_shape(s->v, shape);
+    gather_state(b, job->x, &f->s);
+    triangle_shape(f->s.v, &f->shape);
     LANES_UNROLL
     for (int i = 0; i < 3; i++) {
-        triangle_across(s, shape, i, &across[i]);
-        triangle_angle(s, shape, i, &across[i], alpha);
+        triangle_across(&f->s, &f->shape, i, &f->across[i]);
+        triangle_angle(&f->s, &f->shape, i, &f->across[i], &f->alpha);
     }
-    lanes k0[3] = { growth * b->natural[0], growth * b->natural[1], growth * b->natural[2] };
-    triangle_respond(&t->material, &t->rest[b->rest], k0, shape, alpha, r);
+    lanes k0[3] = { job->growth * b->natural[0], job->growth * b->natural[1], job->growth * b->natural[2] };
+    triangle_respond(&t->material, &t->rest[b->rest], k0, &f->shape, &f->alpha, &f->r);
 }
 
 /* ---- Energy and gradient --------------------------------------------------- */
@@ -109,27 +117,22 @@ LANES_KERNEL static void chunk_energy(const struct triangle *t, int chunk, const
     lanes stretching = {0}, bending = {0};
     for (int k = t->chunk_start[chunk]; k < t->chunk_start[chunk + 1]; k++) {
         const struct triangle_batch *b = &t->batch[k];
-        struct triangle_state s;
-        struct triangle_shape shape;
-        struct triangle_across across[3];
-        struct triangle_angles alpha;
-        struct triangle_response r;
-        gather_state(b, job->x, &s);
-        respond(t, b, job->growth, &s, &shape, across, &alpha, &r);
-        stretching += ALIVE(r.stretching, b->count);
-        bending += ALIVE(r.bending, b->count);
+        struct faces f;
+        respond(t, b, job, &f);
+        stretching += ALIVE(f.r.stretching, b->count);
+        bending += ALIVE(f.r.bending, b->count);
         if (!job->out)
             continue;
         LANES_UNROLL
         for (int i = 0; i < 3; i++) {
-            r.kappa[i] = ALIVE(r.kappa[i], b->count);
-            r.fa[i]    = ALIVE(r.fa[i], b->count);
+            f.r.kappa[i] = ALIVE(f.r.kappa[i], b->count);
+            f.r.fa[i]    = ALIVE(f.r.fa[i], b->count);
         }
         struct vec gv[3] = { 0 }, go[3];
         lanes gphi[3];
         LANES_UNROLL
         for (int i = 0; i < 3; i++)
-            triangle_edge_force(&s, &shape, &r, i, &across[i], gv, go, gphi);
+            triangle_edge_force(&f.s, &f.shape, &f.r, i, &f.across[i], gv, go, gphi);
         LANES_UNROLL
         for (int i = 0; i < 3; i++) {
             scatter_vec(gv[i], b->vertex[i], job->out);
@@ -204,15 +207,10 @@ LANES_INLINE void add_face(const struct triangle *t, const struct triangle_batch
 LANES_INLINE void batch_hessian(const struct triangle *t, int k, const struct job *job, int exact)
 {
     const struct triangle_batch *b = &t->batch[k];
-    struct triangle_state s;
-    struct triangle_shape shape;
-    struct triangle_across across[3];
-    struct triangle_angles alpha;
-    struct triangle_response r;
+    struct faces f;
     struct triangle_blocks h;
-    gather_state(b, job->x, &s);
-    respond(t, b, job->growth, &s, &shape, across, &alpha, &r);
-    triangle_hessian(&t->material, &t->rest[b->rest], &shape, &alpha, &r, s.side, exact, &h);
+    respond(t, b, job, &f);
+    triangle_hessian(&t->material, &t->rest[b->rest], &f.shape, &f.alpha, &f.r, f.s.side, exact, &h);
     for (int l = 0; l < b->count; l++)
         add_face(t, b, &t->slots[k], l, &h, job->out);
 }
@@ -262,9 +260,7 @@ LANES_KERNEL static void chunk_tangent(const struct triangle *t, int chunk, cons
         normal_turn(b, job->x, &shape, p);
         LANES_UNROLL
         for (int i = 0; i < 3; i++) {
-            struct vec dv;
-            dv = gather_vec(job->in, b->vertex[i]);
-            along[i] = vec_dot(shape.normal, dv);
+            along[i] = vec_dot(shape.normal, gather_vec(job->in, b->vertex[i]));
         }
         LANES_UNROLL
         for (int i = 0; i < 3; i++) {
@@ -282,9 +278,8 @@ LANES_KERNEL static void chunk_cotangent(const struct triangle *t, int chunk, co
         lanes p[3][3], g[3];
         normal_turn(b, job->x, &shape, p);
         LANES_UNROLL
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 3; i++)
             g[i] = ALIVE(b->share[i] * gather(job->in, b->edge[i]).v, b->count);
-        }
         LANES_UNROLL
         for (int c = 0; c < 3; c++)
             scatter_vec(vec_scale(-(p[0][c] * g[0] + p[1][c] * g[1] + p[2][c] * g[2]), shape.normal), b->vertex[c],
@@ -310,22 +305,17 @@ LANES_KERNEL static void chunk_faces(const struct triangle *t, int chunk, const 
 {
     for (int k = t->chunk_start[chunk]; k < t->chunk_start[chunk + 1]; k++) {
         const struct triangle_batch *b = &t->batch[k];
-        struct triangle_state s;
-        struct triangle_shape shape;
-        struct triangle_across across[3];
-        struct triangle_angles alpha;
-        struct triangle_response r;
-        gather_state(b, job->x, &s);
-        respond(t, b, job->growth, &s, &shape, across, &alpha, &r);
+        struct faces f;
+        respond(t, b, job, &f);
         for (int l = 0; l < b->count; l++) {
             struct triangle_face *face = &job->face[b->face[l]];
-            face->stretching = r.stretching[l];
-            face->bending    = r.bending[l];
+            face->stretching = f.r.stretching[l];
+            face->bending    = f.r.bending[l];
             face->angle      = 0;
             for (int c = 0; c < 3; c++) {
-                face->metric[c]    = r.s[c][l] + (c < 2);
-                face->curvature[c] = r.k[c][l] + job->growth * b->natural[c][l];
-                double angle = atan2(fabs(alpha.sine[c][l]), alpha.cosine[c][l]);
+                face->metric[c]    = f.r.s[c][l] + (c < 2);
+                face->curvature[c] = f.r.k[c][l] + job->growth * b->natural[c][l];
+                double angle = atan2(fabs(f.alpha.sine[c][l]), f.alpha.cosine[c][l]);
                 face->angle  = angle <= face->angle ? face->angle : angle;  /* nan wins */
             }
         }

@@ -26,30 +26,69 @@ static struct fold_record folded(struct sheet *s)
     return record;
 }
 
+enum { RIB, CHECKER, SEED, MIURA, PATTERNS, LEVELS = 3 };
+
+static const struct {
+    int (*purl)(int, int);
+    int   columns, rows;
+} pattern[PATTERNS] = {{rib, 8, 8}, {checker, 8, 8}, {seed, 8, 8}, {miura, 12, 23}};
+
+static struct sheet *sheet_of(int which)
+{
+    return scene_sheet(pattern[which].columns, pattern[which].rows, pattern[which].purl);
+}
+
+/* The patterns on 1, 2, 4 patches a stitch's side; each is folded once for all tests. */
+struct swatches {
+    struct fold_record level[PATTERNS][LEVELS];
+};
+
+static const struct fold_record *swatch(void **state, int which, int level)
+{
+    struct swatches *swatches = *state;
+    struct fold_record *record = &swatches->level[which][level];
+    if (record->per_stitch == 0) {
+        struct sheet *s = sheet_of(which);
+        s->mesh.per_stitch = 1 << level;
+        *record = folded(s);
+        sheet_free(s);
+    }
+    return record;
+}
+
+static int make_swatches(void **state)
+{
+    return !(*state = calloc(1, sizeof(struct swatches)));
+}
+
+static int free_swatches(void **state)
+{
+    free(*state);
+    return 0;
+}
+
+/* The energy of a pattern without discretisation error, from its two finest levels, the last of which is given. */
+static double limit_of(void **state, int which, int level)
+{
+    double energy = swatch(state, which, level)->energy.total;
+    return energy - (swatch(state, which, level - 1)->energy.total - energy) / 3;
+}
+
 /* Energies of the paper's material, bicubic patches with 4 x 4 Gauss points
  * (an independent prototype's figures; to 2e-6, its printed digits). */
 static void energies_of_known_swatches(void **state)
 {
-    (void)state;
-    static const struct {
-        int (*purl)(int, int);
-        int    columns, rows, per_stitch;
-        double energy;
-    } known[] = {
-        {rib, 8, 8, 1, .491733},      {rib, 8, 8, 2, .490257},      {rib, 8, 8, 4, .489985},
-        {checker, 8, 8, 1, .601666},  {checker, 8, 8, 2, .595087},  {checker, 8, 8, 4, .593726},
-        {seed, 8, 8, 1, .700723},     {seed, 8, 8, 2, .654437},     {seed, 8, 8, 4, .647704},
-        {miura, 12, 23, 1, 2.687117}, {miura, 12, 23, 2, 2.679585},
-    };
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        struct sheet *s = scene_sheet(known[i].columns, known[i].rows, known[i].purl);
-        s->mesh.per_stitch = known[i].per_stitch;
-        struct fold_record r = folded(s);
-        assert_float_equal(r.energy.total, known[i].energy, 2e-6 * known[i].energy);
-        assert_int_equal(r.per_stitch, known[i].per_stitch);
-        assert_true(r.gradient_max <= 1e-8 || r.status == FOLD_PRECISION);
-        sheet_free(s);
-    }
+    static const double known[PATTERNS][LEVELS] = {[RIB] = {.491733, .490257, .489985},
+                                                   [CHECKER] = {.601666, .595087, .593726},
+                                                   [SEED] = {.700723, .654437, .647704},
+                                                   [MIURA] = {2.687117, 2.679585}};
+    for (int i = 0; i < PATTERNS; i++)
+        for (int k = 0; k < LEVELS && known[i][k] > 0; k++) {
+            const struct fold_record *r = swatch(state, i, k);
+            assert_float_equal(r->energy.total, known[i][k], 2e-6 * known[i][k]);
+            assert_int_equal(r->per_stitch, 1 << k);
+            assert_true(r->gradient_max <= 1e-8 || r->status == FOLD_PRECISION);
+        }
 }
 
 /* The minimum does not depend on the way to it: steps, seeds, methods. */
@@ -98,24 +137,14 @@ static void conjugate_gradients_reach_the_same_minimum(void **state)
  * not far above. */
 static void stated_error_bounds_the_true_one(void **state)
 {
-    (void)state;
-    static int (*const pattern[])(int, int) = {rib, checker, seed, NULL};
-    for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) {
-        struct sheet *s = scene_sheet(8, 8, pattern[i]);
-        struct fold_record level[3];
-        for (int k = 0; k < 3; k++) {
-            s->mesh.per_stitch = 1 << k;
-            level[k] = folded(s);
-        }
-        double limit = level[2].energy.total - (level[1].energy.total - level[2].energy.total) / 3;
+    for (int i = RIB; i <= SEED; i++)
         for (int k = 0; k < 2; k++) {
-            double error = (level[k].energy.total - limit) / level[k].energy.total;
-            assert_true(level[k].energy_error >= error);
-            assert_true(level[k].energy_error <= 2 * error);
-            assert_true(level[k].shape_error > 0 && level[k].shape_error < 0.02);
+            const struct fold_record *r = swatch(state, i, k);
+            double error = (r->energy.total - limit_of(state, i, 2)) / r->energy.total;
+            assert_true(r->energy_error >= error);
+            assert_true(r->energy_error <= 2 * error);
+            assert_true(r->shape_error > 0 && r->shape_error < 0.02);
         }
-        sheet_free(s);
-    }
 }
 
 /* per_stitch = auto refines until the accuracy asked for is met. */
@@ -137,60 +166,64 @@ static void accuracy_is_met(void **state)
     sheet_free(s);
 }
 
-/* The energy of one pattern without discretisation error, from two and four patches a stitch's side. */
-static double limit_of(struct sheet *s)
-{
-    double energy[2];
-    for (int k = 0; k < 2; k++) {
-        s->mesh.per_stitch = 2 << k;
-        energy[k] = folded(s).energy.total;
-    }
-    return energy[1] - (energy[0] - energy[1]) / 3;
-}
-
 /* Triangles state an error on every mesh, by every method; it is above the true one and not far above. */
 static void triangles_state_their_error(void **state)
 {
-    (void)state;
-    static int (*const pattern[])(int, int) = {rib, checker, seed, NULL};
     static const struct {
         int         per_stitch;
         enum method method;
     } way[] = {{1, METHOD_AUTO}, {2, METHOD_AUTO}, {3, METHOD_AUTO}, {4, METHOD_AUTO}, {2, METHOD_LBFGS}};
-    for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) {
-        struct sheet *s = scene_sheet(8, 8, pattern[i]);
-        double limit = limit_of(s);
+    for (int i = RIB; i <= SEED; i++) {
+        struct sheet *s = sheet_of(i);
+        double limit = limit_of(state, i, 2);
         s->mesh.discretisation = DISCRETISATION_TRIANGLE;
-        s->solve.steps = 1;
         for (size_t k = 0; k < sizeof way / sizeof *way; k++) {
             s->mesh.per_stitch = way[k].per_stitch;
             s->solve.method = way[k].method;
             struct fold_record r = folded(s);
             double scale = r.energy.total > r.energy_flat / 100 ? r.energy.total : r.energy_flat, error = fabs(r.energy.total - limit) / scale;
             if (!(r.energy_error >= error && r.energy_error <= 2 * error + 5e-3 && r.shape_error > 0 && r.shape_error < 0.1))
-                fail_msg("pattern %zu, %d cells: %g stated, %g true; shape %g", i, way[k].per_stitch, r.energy_error,
+                fail_msg("pattern %d, %d cells: %g stated, %g true; shape %g", i, way[k].per_stitch, r.energy_error,
                          error, r.shape_error);
         }
         sheet_free(s);
     }
 }
 
+static bool until(void *self, double growth, int iterations, double energy)
+{
+    (void)growth, (void)energy;
+    return iterations < *(int *)self;
+}
+
+/* The iterations that find the triangles' error are counted and can be broken off: the minimum stays, without an error. */
+static void error_of_triangles_can_be_interrupted(void **state)
+{
+    (void)state;
+    struct sheet *s = sheet_of(RIB);
+    s->mesh = (struct mesh){.discretisation = DISCRETISATION_TRIANGLE, .per_stitch = 2};
+    struct fold_record whole = folded(s), record;
+    int last = whole.iterations - 1;
+    struct fold_options options = {.threads = 1};
+    fold_free(fold_run(s, &options, &(struct fold_observer){.self = &last, .progress = until}, &record));
+    assert_int_equal(record.status, FOLD_CONVERGED);
+    assert_true(whole.energy_error > 0 && record.energy_error < 0 && record.iterations <= whole.iterations);
+    assert_true(record.energy.total == whole.energy.total);
+    fold_record_free(&record);
+    sheet_free(s);
+}
+
 /* Two discretisations that share nothing but the sheet come to one energy:
  * patches from above, triangles (in the end) from below, closer at each level. */
 static void discretisations_agree(void **state)
 {
-    (void)state;
-    static const struct {
-        int (*purl)(int, int);
-        int   columns, rows, cells;     /* of triangles, first; then twice as many */
-    } pattern[] = {{rib, 8, 8, 4}, {checker, 8, 8, 6}, {seed, 8, 8, 6}, {miura, 12, 23, 2}};
-    for (size_t i = 0; i < sizeof pattern / sizeof *pattern; i++) {
-        struct sheet *s = scene_sheet(pattern[i].columns, pattern[i].rows, pattern[i].purl);
-        s->solve.steps = 1;
-        double limit = limit_of(s), gap[2];
+    static const int cells[PATTERNS] = {4, 6, 6, 2};    /* first; then twice as many */
+    for (int i = 0; i < PATTERNS; i++) {
+        struct sheet *s = sheet_of(i);
+        double limit = limit_of(state, i, i == MIURA ? 1 : 2), gap[2];
         s->mesh.discretisation = DISCRETISATION_TRIANGLE;
         for (int k = 0; k < 2; k++) {
-            s->mesh.per_stitch = pattern[i].cells << k;
+            s->mesh.per_stitch = cells[i] << k;
             gap[k] = fabs(folded(s).energy.total - limit);
         }
         assert_true(gap[1] < 0.6 * gap[0] || gap[1] < 2e-3 * limit);
@@ -443,6 +476,7 @@ int main(void)
         cmocka_unit_test(stated_error_bounds_the_true_one),
         cmocka_unit_test(accuracy_is_met),
         cmocka_unit_test(triangles_state_their_error),
+        cmocka_unit_test(error_of_triangles_can_be_interrupted),
         cmocka_unit_test(discretisations_agree),
         cmocka_unit_test(compatible_roll),
         cmocka_unit_test(strips_of_any_width),
@@ -455,5 +489,5 @@ int main(void)
         cmocka_unit_test(observer_sees_growth),
         cmocka_unit_test(iteration_limit_is_honest),
     };
-    return cmocka_run_group_tests_name("fold", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("fold", tests, make_swatches, free_swatches);
 }

@@ -11,7 +11,7 @@
 #include "tests/solver/scenes.h"
 #include "tests/stress/trial.h"
 
-enum { LIMIT = 120, MOST = 300, NRANDOM = 200, NRANDOM_SHORT = 24 };
+enum { LIMIT = 120, MOST = 300, NRANDOM = 200, NRANDOM_SHORT = 24, CELLS = 4 };
 
 /* ---- one sweep ---- */
 
@@ -141,22 +141,32 @@ static const struct {
 } patterns[] = {{"plain", NULL, 6, 6}, {"rib", rib, 8, 6}, {"checker", checker, 6, 6}, {"seed", seed, 6, 6}};
 enum { NPATTERNS = sizeof patterns / sizeof *patterns };
 
-/* Every value with every pattern; in short the first, middle and last with one pattern each. */
-static bool run_sweep(const struct sweep *sweep, bool full)
+static const char *name_of(char name[80], const char *swept, enum discretisation_kind kind)
 {
+    snprintf(name, 80, "%s%s", swept, kind == DISCRETISATION_TRIANGLE ? ", triangles" : "");
+    return name;
+}
+
+/* Every value with every pattern; in short, and on triangles, the first, middle and last with one pattern each. */
+static bool run_sweep(const struct sweep *sweep, bool full, enum discretisation_kind kind)
+{
+    bool triangle = kind == DISCRETISATION_TRIANGLE;
     struct tally *tally = calloc(1, sizeof *tally);
+    char name[80];
     for (int i = 0; i < sweep->nvalues; i++)
         for (int p = 0; p < NPATTERNS; p++) {
-            if (!full && !(i % ((sweep->nvalues - 1) / 2) == 0 && p == i % NPATTERNS))
+            if ((!full || triangle) && !(i % ((sweep->nvalues - 1) / 2) == 0 && p == i % NPATTERNS))
                 continue;
             char scene[80];
             struct sheet *s = scene_sheet(patterns[p].columns, patterns[p].rows, patterns[p].purl);
+            s->mesh.discretisation = kind;
+            s->mesh.per_stitch = triangle ? CELLS : 1;
             sweep->set(s, sweep->value[i]);
             snprintf(scene, sizeof scene, "%s, %s %g", patterns[p].name, sweep->name, sweep->value[i]);
             count(tally, s, scene);
             sheet_free(s);
         }
-    print_row(tally, sweep->name, sweep->range, full);
+    print_row(tally, name_of(name, sweep->name, kind), sweep->range, full);
     bool good = as_expected(tally);
     free(tally);
     return good;
@@ -167,6 +177,7 @@ static bool run_random(bool full, enum discretisation_kind kind)
 {
     bool triangle = kind == DISCRETISATION_TRIANGLE;
     struct tally *tally = calloc(1, sizeof *tally);
+    char name[80];
     for (int i = 1; i <= (full ? NRANDOM : NRANDOM_SHORT) / (triangle ? 5 : 1); i++) {
         uint64_t random = (uint64_t)i;
         int most = full ? 12 : 6, columns = 1 + (int)((noise_next(&random) + 1) / 2 * most);
@@ -178,14 +189,14 @@ static bool run_random(bool full, enum discretisation_kind kind)
             if (noise_next(&random) < 0)
                 s->kx[k] *= -1, s->ky[k] *= -1;
         s->mesh.discretisation = kind;
-        s->mesh.per_stitch = triangle ? 4 : 0;
+        s->mesh.per_stitch = triangle ? CELLS : 0;
         s->solve.steps = i % 2 ? 10 : 1;
         char scene[80];
         snprintf(scene, sizeof scene, "pattern %d, %d x %d", i, columns, rows);
         count(tally, s, scene);
         sheet_free(s);
     }
-    print_row(tally, triangle ? "random patterns, triangles" : "random patterns", full ? "1x1 to 12x12, 1x60, 60x1" : "1x1 to 6x6", full);
+    print_row(tally, name_of(name, "random patterns", kind), full ? "1x1 to 12x12, 1x60, 60x1" : "1x1 to 6x6", full);
     bool good = as_expected(tally);
     free(tally);
     return good;
@@ -204,10 +215,13 @@ int main(int argc, char **argv)
         printf("1..%d\n", (int)(sizeof sweeps / sizeof *sweeps) + 2);
     for (size_t i = 0; i < sizeof sweeps / sizeof *sweeps; i++)
         if (!only || strcmp(only, sweeps[i].name) == 0)
-            good &= run_sweep(&sweeps[i], full);
+            good &= run_sweep(&sweeps[i], full, DISCRETISATION_PATCH);
     if (!only || strcmp(only, "random") == 0)
         good &= run_random(full, DISCRETISATION_PATCH);
     if (!only || strcmp(only, "triangle") == 0)
         good &= run_random(full, DISCRETISATION_TRIANGLE);
+    for (size_t i = 0; full && i < sizeof sweeps / sizeof *sweeps; i++)
+        if (!only || strcmp(only, "triangle") == 0)
+            good &= run_sweep(&sweeps[i], full, DISCRETISATION_TRIANGLE);
     return good ? 0 : 1;
 }

@@ -168,7 +168,8 @@ struct trial trial_fold(const struct sheet *sheet)
 
 bool trial_crushed(const struct trial *trial)
 {
-    return trial->status == FOLD_FAILED && !trial->wrong && strstr(trial->remark, "crushed");
+    return trial->status == FOLD_FAILED && !trial->wrong &&
+           (strstr(trial->remark, "crushed") || strstr(trial->remark, "too coarse"));
 }
 
 bool trial_apart(const struct sheet *sheet, int limit, struct trial *trial, char how[24])

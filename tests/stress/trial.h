@@ -34,7 +34,8 @@ struct trial trial_fold(const struct sheet *sheet);
  * how says which ("signal 11", "time"). */
 bool trial_apart(const struct sheet *sheet, int limit, struct trial *trial, char how[24]);
 
-/* Did the fold end because the sheet is crushed at a point (see patch_doubt), and say so? */
+/* Did the fold end because the sheet is crushed at a point (patch_doubt) or its triangles are too coarse
+ * (triangle_doubt), and say so? */
 bool trial_crushed(const struct trial *trial);
 
 /* Is the outcome a minimum, and nothing wrong with it? */
