@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "cli/command.h"
+#include "lang/names.h"
 
 static void print_option(const struct option *o)
 {
@@ -32,6 +33,15 @@ static void print_command(const struct command *command)
             print_option(o);
 }
 
+static enum status unknown_command(const struct options *options, const char *name)
+{
+    struct nearest nearest = nearest_to(name);
+    for (const struct command *c = command_table; c->name; c++)
+        nearest_offer(&nearest, c->name);
+    return nearest.best ? options_wrong(options, "there is no command '%s'; did you mean %s?", name, nearest.best)
+                        : options_wrong(options, "there is no command '%s'", name);
+}
+
 enum status command_help(const struct options *options)
 {
     /* `weft help run` and `weft run --help` are the same question. */
@@ -40,7 +50,7 @@ enum status command_help(const struct options *options)
                                                              : NULL;
     const struct command *command = name ? command_find(name) : NULL;
     if (name && !command)
-        return options_wrong(options, "there is no command '%s'", name);
+        return unknown_command(options, name);
     if (command)
         print_command(command);
     else
