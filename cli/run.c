@@ -175,7 +175,8 @@ static void print_plan(const struct scene *scene, int seeds)
         printf("%d seeds\n", seeds);
         forecast.seconds *= seeds + 1;
     }
-    printf(forecast.seconds < 10 ? "about %.2g s, %.2g GB\n" : "about %.0f s, %.2g GB\n", forecast.seconds, forecast.bytes / 1e9);
+    printf(forecast.seconds < 10 ? "about %.2g s, %.2g GB%s\n" : "about %.0f s, %.2g GB%s\n", forecast.seconds,
+           forecast.bytes / 1e9, scene->mesh.per_stitch ? "" : "; more where the accuracy takes a finer mesh");
     int n = 0;
     for (int i = 0; i < scene->noutputs; i++)
         if (!outputs_of_sweep(scene, i))
