@@ -3,6 +3,8 @@ noinst_LIBRARIES += libcharts.a
 libcharts_a_SOURCES = \
     charts/beds.c charts/beds.h \
     charts/csv.c charts/csv.h \
+    charts/drawn.c charts/drawn.h \
+    charts/drawn_body.c charts/drawn_body.h \
     charts/import.c charts/import.h \
     charts/knitout.c charts/knitout.h charts/knitout_write.c \
     charts/kp.c charts/kp.h \
@@ -10,6 +12,7 @@ libcharts_a_SOURCES = \
     charts/pattern.h \
     charts/picture.c charts/picture.h \
     charts/raster.c charts/raster.h \
+    charts/repeat.c charts/repeat.h \
     charts/row.c charts/row.h \
     charts/text.c charts/text.h \
     charts/words.c charts/words.h \

@@ -28,9 +28,9 @@ static struct chart_file chart_file(const char *wish)
         const char *name = output_kind_name(kinds[i]);
         size_t n = strlen(name);
         if (strncmp(wish, name, n) == 0 && wish[n] == ':')
-            return (struct chart_file){kinds[i], wish + n + 1};
+            return (struct chart_file){.kind = kinds[i], .path = wish + n + 1};
     }
-    return (struct chart_file){OUTPUT_CHART, wish};
+    return (struct chart_file){.kind = OUTPUT_CHART, .path = wish};
 }
 
 static enum status write_charts(const struct options *options, const struct scene *scene)
@@ -52,7 +52,7 @@ enum status command_chart(const struct options *options)
 {
     for (int i = 0; i < options->noutputs; i++)
         if (!outputs_has_chart(chart_file(options->output[i])))
-            return options_wrong(options, "a chart is written as .txt, .csv, .k or pixels:x.png, not as '%s'",
+            return options_wrong(options, "a chart is written as .svg, .pdf, .png, .txt, .csv, .k or pixels:x.png, not as '%s'",
                                  options->output[i]);
 
     /* The outputs of a chart are its own, not the script's. */

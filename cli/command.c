@@ -29,12 +29,13 @@ const struct command command_table[] = {
      "the swatch.\n"},
     {"chart", "FILE", 1, 1, command_chart, "print the stitch chart",
      "Prints the right side of the fabric, top row first, with the row numbers at the\n"
-     "right of right-side rows and at the left of wrong-side rows. With --grid: for\n"
-     "programs, after a header \"# 1 1\" a line of stitch names for each row, the\n"
-     "bottom row first; -o x.txt writes this form to a file. -o writes others, too:\n"
+     "right of right-side rows and rounds, at the left of wrong-side rows. With\n"
+     "--grid: for programs, after a header \"# 1 1\" a line of stitch names for each\n"
+     "row, the bottom row first; -o x.txt writes this form to a file. Others are:\n"
      "  x.csv         a table for spreadsheets: a cell with k or p for each stitch,\n"
      "                the top row first\n"
      "  x.k           knitout 2, for a knitting machine with two beds\n"
+     "  x.svg         a drawing with numbers, repeat and key; or x.pdf, x.png\n"
      "  pixels:x.png  a pixel for each stitch, knit black and purl white\n"},
     {"write", "FILE", 1, 1, command_write, "print written instructions",
      "Prints the swatch of FILE as written rows, from the cast-on to the last row:\n"

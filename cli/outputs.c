@@ -11,6 +11,7 @@
 #include <strings.h>
 
 #include "charts/csv.h"
+#include "charts/drawn.h"
 #include "charts/knitout.h"
 #include "charts/picture.h"
 #include "cli/progress.h"
@@ -55,6 +56,9 @@ static const struct writer {
     {OUTPUT_CHART,  ".txt", DUE_CHART,  write_chart},
     {OUTPUT_CHART,  ".csv", DUE_CHART,  write_chart},
     {OUTPUT_CHART,  ".k",   DUE_CHART,  write_chart},
+    {OUTPUT_CHART,  ".svg", DUE_CHART,  write_chart},
+    {OUTPUT_CHART,  ".pdf", DUE_CHART,  write_chart},
+    {OUTPUT_CHART,  ".png", DUE_CHART,  write_chart},
     {OUTPUT_PIXELS, NULL,   DUE_CHART,  write_chart},
     {OUTPUT_PVD,    NULL,   DUE_STEP,   write_step},
     {OUTPUT_VTP,    NULL,   DUE_FINAL,  write_mesh},
@@ -94,8 +98,20 @@ bool outputs_has_chart(struct chart_file chart)
     return find_writer(chart.kind, chart.path);
 }
 
+/* A chart as a drawing, not as text. */
+static bool is_drawn(struct chart_file chart, enum canvas_format *format)
+{
+    return chart.kind == OUTPUT_CHART && canvas_format_of(chart.path, format);
+}
+
 enum status outputs_check_chart(struct chart_file chart, const struct scene *scene)
 {
+    enum canvas_format format;
+    const char *refusal = is_drawn(chart, &format) ? drawn_refusal(scene, &chart.look, format) : NULL;
+    if (refusal) {
+        fprintf(stderr, "%s: the chart cannot be written as '%s': %s\n", scene->file, chart.path, refusal);
+        return STATUS_SCRIPT;
+    }
     bool plain = chart.kind == OUTPUT_PIXELS || (chart.kind == OUTPUT_CHART && has_extension(chart.path, ".k"));
     return plain ? script_knit_and_purl(scene) : STATUS_DONE;
 }
@@ -161,7 +177,7 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
         const struct output *output = &scene->output[i];
         enum status status = check_kind(scene, output);
         if (status == STATUS_DONE)
-            status = outputs_check_chart((struct chart_file){output->kind, output->path}, scene);
+            status = outputs_check_chart((struct chart_file){output->kind, output->path, output->chart}, scene);
         if (status == STATUS_DONE)
             status = check_built(scene, output);
         if (status == STATUS_DONE && !outputs_of_sweep(scene, i))
@@ -206,8 +222,28 @@ static void write_pixels(struct text *text, const struct scene *scene)
 
 typedef void write_text(struct text *text, const struct scene *scene);
 
+static void send(void *file, const void *bytes, size_t n)
+{
+    file_write(file, bytes, n);
+}
+
+static bool write_drawn(struct file_log *log, struct chart_file chart, enum canvas_format format,
+                        const struct scene *scene)
+{
+    struct file *file = file_create(log, chart.path);
+    const char *why = file ? drawn_chart(scene, &chart.look, format, send, file) : NULL;
+    if (why) {
+        file_fail(log, "%s: %s", chart.path, why);
+        file_abandon(file);
+    }
+    return file && !why && file_commit(file);
+}
+
 bool outputs_write_chart(struct file_log *log, struct chart_file chart, const struct scene *scene)
 {
+    enum canvas_format format;
+    if (is_drawn(chart, &format))
+        return write_drawn(log, chart, format, scene);
     write_text *write = chart.kind == OUTPUT_PIXELS            ? write_pixels
                         : has_extension(chart.path, ".csv") ? csv_write
                         : has_extension(chart.path, ".k")   ? write_knitout
@@ -246,7 +282,7 @@ static bool write_chart(struct outputs *outputs, int index, const struct occasio
 {
     (void)now;
     const struct output *output = &outputs->scene->output[index];
-    return outputs_write_chart(&outputs->log, (struct chart_file){output->kind, output->path}, outputs->scene);
+    return outputs_write_chart(&outputs->log, (struct chart_file){output->kind, output->path, output->chart}, outputs->scene);
 }
 
 static bool write_step(struct outputs *outputs, int index, const struct occasion *now)

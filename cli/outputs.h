@@ -40,8 +40,9 @@ int outputs_steps(const struct outputs *outputs, int index);
 
 /* A chart to write: as a chart in the format of its extension, or as pixels. */
 struct chart_file {
-    enum output_kind kind;
-    const char      *path;
+    enum output_kind  kind;
+    const char       *path;
+    struct chart_look look;     /* where it is drawn */
 };
 
 /* Can it be written; can it of this fabric (STATUS_SCRIPT: why not is said on

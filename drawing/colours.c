@@ -25,6 +25,13 @@ const struct palette *colours_palette(const char *name)
     return NULL;
 }
 
+void colours_bytes(struct rgb c, unsigned char bytes[3])
+{
+    const double value[3] = {c.red, c.green, c.blue};
+    for (int k = 0; k < 3; k++)
+        bytes[k] = (unsigned char)lround(255 * value[k]);
+}
+
 struct rgb colours_stitch(const struct palette *palette, int stitch)
 {
     return stitch == 0 ? palette->knit : stitch == 1 ? palette->purl : palette->other[(stitch - 2) % PALETTE_OTHERS];

@@ -19,6 +19,9 @@ struct palette {
  * grey printer.  NULL: there is none of that name. */
 const struct palette *colours_palette(const char *name);
 
+/* 0 .. 255, rounded. */
+void colours_bytes(struct rgb, unsigned char bytes[3]);
+
 /* The colour of a stitch: 0 is knit, 1 is purl, own stitches follow. */
 struct rgb colours_stitch(const struct palette *palette, int stitch);
 

@@ -20,6 +20,7 @@ struct compilation {
     struct outputs outputs;
     const struct grid *grid;
     bool round; /* its rows are rounds */
+    const char *title;
     const struct sweep_axis *axis;
     int naxes;
 };
@@ -274,6 +275,26 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
     return body.first.source && !body.failed ? grid_of_body(c, &body) : NULL;
 }
 
+/* The name of the motif a swatch consists of: of flag, rib(3, 1), tile(std.flag, 2, 2). */
+static const char *title_of(const struct module *main, const struct expr *e)
+{
+    while (e->kind == EXPR_CALL) {
+        const struct expr *function = e->call.function;
+        bool repeats = function->kind == EXPR_NAME &&
+                       (strcmp(function->text, "tile") == 0 || strcmp(function->text, "fill") == 0);
+
+        e = repeats && e->call.first ? e->call.first->value : function;
+    }
+    if (e->kind == EXPR_MEMBER)
+        return e->member.name;
+    if (e->kind == EXPR_NAME) {
+        const struct binding *binding = binding_target(module_find(main, e->text));
+
+        return binding && binding->kind == BINDING_MOTIF ? e->text : NULL;
+    }
+    return NULL;
+}
+
 static void make_fabric(struct compilation *c)
 {
     struct eval *eval = &c->eval;
@@ -291,6 +312,7 @@ static void make_fabric(struct compilation *c)
             return;
         }
         swatch = stmt;
+        c->title = title_of(eval->main, stmt->swatch.value);
         c->grid = fabric_of(eval, eval_expr(eval, (struct where){eval->main, NULL}, stmt->swatch.value),
                             stmt->swatch.value->span);
     }
@@ -388,6 +410,7 @@ static const struct scene *scene_of(struct compilation *c)
     scene->file = eval->main->source->name;
     scene->grid = c->grid;
     scene->round = c->round;
+    scene->title = c->title;
     scene->nstitches = eval->nstitches;
     scene->stitch = stitch;
     scene->noutputs = c->outputs.n;

@@ -192,6 +192,7 @@ static void add(struct eval *eval, struct outputs *outputs, struct span span, st
 /* ---- keys ---- */
 
 #define OF(kind) (1u << OUTPUT_##kind)
+#define DRAWN_CHART (1u << OUTPUT_KINDS)     /* a chart as a drawing, not as text */
 #define SURFACES (OF(PVD) | OF(VTP) | OF(OBJ) | OF(PLY) | OF(STL) | OF(GLB))
 #define AT(field) offsetof(struct output, field)
 #define WORDS(kind, first, all) .type = kind, .word = first, .words = all
@@ -203,6 +204,7 @@ static const char *const lights[] = {"left", "right", "eye", NULL};
 static const double light_angles[][2] = {{-40, 40}, {40, 40}, {0, 0}};
 static const char *const colors[] = {"stitch", "height", "mean", "gauss", "bending", "stretching", NULL};
 static const char *const palettes[] = {"paper", "safe", NULL};
+static const char *const purls[] = {"dot", "dash", NULL};
 static const char *const switches[] = {"off", "on", NULL};
 static const char *const shows[] = {"energy", "convergence", NULL};
 static const char *const scales[] = {"auto", "linear", "log", NULL};
@@ -226,14 +228,27 @@ static const struct output_key {
     {OF(PLOT), {.name = "show", WORDS(KEY_WORD, "energy", shows), .offset = AT(graph.show)}},
     {OF(PLOT), {.name = "scale", WORDS(KEY_WORD, "auto", scales), .offset = AT(graph.scale)}},
     {OF(PLOT), {.name = "width", .type = KEY_WHOLE, .low = 100, .high = 10000, .number = 640, .offset = AT(graph.width)}},
+    {DRAWN_CHART, {.name = "symbols", WORDS(KEY_WORD, "dot", purls), .offset = AT(chart.symbols)}},
+    {DRAWN_CHART, {.name = "color", WORDS(KEY_SWITCH, "off", switches), .offset = AT(chart.color)}},
+    {DRAWN_CHART, {.name = "palette", WORDS(KEY_WORD, "paper", palettes), .offset = AT(chart.palette)}},
 };
 enum { KEYS = sizeof output_keys / sizeof *output_keys };
 
-/* A key this kind of output takes. */
-static const struct output_key *find_key(const char *name, enum output_kind kind)
+/* The bit an output has in `kinds`. */
+static unsigned bit_of(const struct output *output)
+{
+    static const char *const drawn[] = {"svg", "pdf", "png"};
+
+    for (int i = 0; output->kind == OUTPUT_CHART && i < 3; i++)
+        if (strcasecmp(extension_of(output->path), drawn[i]) == 0)
+            return DRAWN_CHART;
+    return 1u << output->kind;
+}
+
+static const struct output_key *find_key(const char *name, unsigned bit)
 {
     for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
-        if (k->kinds & 1u << kind && strcmp(k->key.name, name) == 0)
+        if ((k->kinds & bit) && strcmp(k->key.name, name) == 0)
             return k;
     return NULL;
 }
@@ -250,18 +265,18 @@ static void set_defaults(struct output *output)
 void output_values(const struct output *output, void (*see)(void *self, const void *value, size_t size), void *self)
 {
     for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
-        if (k->kinds & 1u << output->kind)
+        if (k->kinds & bit_of(output))
             see(self, (const char *)output + k->key.offset, key_size(&k->key));
 }
 
 /* A key that no output has, or not this kind. */
-static void wrong_key(struct eval *eval, const struct pair *pair, enum output_kind kind)
+static void wrong_key(struct eval *eval, const struct pair *pair, const struct output *output)
 {
-    const char *name = kinds[kind].name, *list = "";
+    const char *name = kinds[output->kind].name, *list = "";
     struct nearest nearest = nearest_to(pair->key);
 
     for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
-        if (k->kinds & 1u << kind) {
+        if (k->kinds & bit_of(output)) {
             nearest_offer(&nearest, k->key.name);
             list = arena_printf(eval->arena, "%s%s%s", list, *list ? ", " : "", k->key.name);
         }
@@ -269,16 +284,18 @@ static void wrong_key(struct eval *eval, const struct pair *pair, enum output_ki
     diag_did_you_mean(eval->diag, nearest.best);
     if (!nearest.best && *list)
         diag_hint(eval->diag, "its keys are %s", list);
+    if (!*list && output->kind == OUTPUT_CHART)
+        diag_hint(eval->diag, "only a chart that is drawn has keys: .svg, .pdf, .png");
 }
 
 static bool read_pairs(struct eval *eval, const struct pair *first, struct output *output)
 {
     for (const struct pair *pair = first; pair; pair = pair->next) {
-        const struct output_key *k = find_key(pair->key, output->kind);
+        const struct output_key *k = find_key(pair->key, bit_of(output));
         struct key_value value;
 
         if (!k) {
-            wrong_key(eval, pair, output->kind);
+            wrong_key(eval, pair, output);
             return false;
         }
         for (const struct pair *earlier = first; earlier != pair; earlier = earlier->next)

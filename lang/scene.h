@@ -96,6 +96,15 @@ struct graph {
     int              width;     /* pixels, or points in SVG and PDF */
 };
 
+/* How a chart is drawn, where it is a .svg, .pdf or .png. */
+enum purls { PURLS_DOT, PURLS_DASH };
+
+struct chart_look {
+    enum purls symbols;         /* of purl stitches */
+    bool       color;           /* cells in the palette's colours, else black on white */
+    enum dyes  palette;
+};
+
 /* One file to write.  Keys of its block that a kind does not know are errors at compile time. */
 struct output {
     enum output_kind kind;
@@ -104,6 +113,7 @@ struct output {
     int              format;        /* pvd, vtp: enum output_format */
     struct picture   picture;       /* of the kinds that show the surface */
     struct graph     graph;         /* of plots */
+    struct chart_look chart;        /* of drawn charts */
     int              line;          /* of the script, 0 = command line */
 };
 
@@ -122,6 +132,7 @@ struct sweep_axis {
 
 struct scene {
     const char              *file;          /* as given, "-" for standard input */
+    const char              *title;         /* the motif that makes up the swatch, or NULL */
     const struct grid       *grid;
     bool                     round;         /* the script's own rows are rounds: worked from the right side alone */
     int                      nstitches;

@@ -53,9 +53,9 @@ static void print_row(struct file *file, const struct scene *scene, int row, int
 void chart_text(struct file *file, const struct scene *scene)
 {
     char last[32];
-    int margin = snprintf(last, sizeof last, "%d", scene->grid->rows), width = symbol_width(scene);
+    int margin = scene->round ? 0 : snprintf(last, sizeof last, "%d", scene->grid->rows), width = symbol_width(scene);
     for (int row = scene->grid->rows; row >= 1; row--) {
-        bool right_side = row % 2 == 1;
+        bool right_side = scene->round || row % 2 == 1;
         if (right_side)
             file_print(file, "%*s", margin, "");
         else

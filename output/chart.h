@@ -12,7 +12,7 @@ void chart_grid(struct file *file, const struct scene *scene);
 
 /* The chart as printed for knitters: the right side, top row first, each
  * stitch by its symbol, row numbers at the right of right-side (odd) rows and
- * at the left of wrong-side rows. */
+ * of rounds, at the left of wrong-side rows. */
 void chart_text(struct file *file, const struct scene *scene);
 
 #endif

@@ -7,10 +7,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "drawing/colours.h"
 #include "output/json.h"
 #include "output/little.h"
 #include "output/number.h"
-#include "output/palette.h"
 
 static const double SECONDS = 4;        /* that the growth takes */
 
@@ -334,8 +334,9 @@ static uint8_t linear(double c)
 
 static void write_colours(struct file *file, const struct writing *w)
 {
+    const struct palette *palette = colours_palette("paper");
     for (size_t v = 0; v < w->split.nvertices; v++) {
-        const struct colour c = palette_stitch(w->split.stitch[v]);
+        const struct rgb c = colours_stitch(palette, w->split.stitch[v]);
         const uint8_t rgba[4] = {linear(c.red), linear(c.green), linear(c.blue), 255};
         file_write(file, rgba, sizeof rgba);
     }

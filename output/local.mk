@@ -13,7 +13,6 @@ liboutput_a_SOURCES = \
     output/obj.c output/obj.h \
     output/page.c output/page.h \
     output/page_pack.c output/page_pack.h \
-    output/palette.c output/palette.h \
     output/plot.c output/plot.h \
     output/portrait.c output/portrait.h \
     output/ply.c output/ply.h \

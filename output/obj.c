@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drawing/colours.h"
 #include "output/number.h"
-#include "output/palette.h"
 
 enum { NAME_SIZE = 128 };
 
@@ -37,11 +37,12 @@ static bool material_path(char path[PATH_MAX], const char *obj)
 
 static bool write_materials(struct file_log *log, const char *path, const struct scene *scene)
 {
+    const struct palette *palette = colours_palette("paper");
     struct file *file = file_create(log, path);
     if (!file)
         return false;
     for (int id = 0; id < scene->nstitches; id++) {
-        const struct colour c = palette_stitch(id);
+        const struct rgb c = colours_stitch(palette, id);
         char name[NAME_SIZE];
         if (!is_used(scene, id))
             continue;

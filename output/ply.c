@@ -2,8 +2,8 @@
  * PLY: a surface in, one binary .ply of quads out. */
 #include "output/ply.h"
 
+#include "drawing/colours.h"
 #include "output/little.h"
-#include "output/palette.h"
 
 static stitch_id stitch_at(const struct scene *scene, const struct surface *s, int i, int j)
 {
@@ -31,13 +31,14 @@ static void write_header(struct file *file, const struct surface *s)
 /* The mean colour of the one, two or four cells that meet at point (i, j). */
 static void point_colour(const struct scene *scene, const struct surface *s, int i, int j, uint8_t mean[3])
 {
+    const struct palette *palette = colours_palette("paper");
     unsigned sum[3] = {0}, n = 0;
     for (int q = 0; q < 4; q++) {
         int at = i - q % 2, up = j - q / 2;
         uint8_t rgb[3];
         if (at < 0 || up < 0 || at >= s->nx || up >= s->ny)
             continue;
-        palette_bytes(stitch_at(scene, s, at, up), rgb);
+        colours_bytes(colours_stitch(palette, stitch_at(scene, s, at, up)), rgb);
         for (int k = 0; k < 3; k++)
             sum[k] += rgb[k];
         n++;
@@ -68,6 +69,7 @@ static void write_face(struct file *file, const struct scene *scene, const struc
     const struct stitch *stitch = &scene->stitch[id];
     const double field[] = {stitch->kx,     stitch->ky,          s->mean[cell],
                             s->gauss[cell], s->stretching[cell], s->bending[cell]};
+    const struct palette *palette = colours_palette("paper");
     uint8_t rgb[3], sign = id == STITCH_K ? 1 : id == STITCH_P ? (uint8_t)-1 : 0;
     file_write(file, &(uint8_t){4}, 1);
     for (int k = 0; k < 4; k++)
@@ -78,7 +80,7 @@ static void write_face(struct file *file, const struct scene *scene, const struc
     file_write(file, &sign, 1);
     for (size_t k = 0; k < sizeof field / sizeof field[0]; k++)
         little_f64(file, field[k]);
-    palette_bytes(id, rgb);
+    colours_bytes(colours_stitch(palette, id), rgb);
     file_write(file, rgb, 3);
 }
 

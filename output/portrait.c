@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "charts/drawn_body.h"
 #include "drawing/canvas.h"
 #include "drawing/colours.h"
 #include "drawing/lettering.h"
@@ -15,13 +16,10 @@
 
 enum { PIXELS_PER_POINT = 3, NUMBERS = 5, NUMBER_SIZE = 16 };
 
-/* A rectangle of the picture; x, y is its upper left corner. */
-struct box { double x, y, width, height; };
-
 /* Where things are, in the picture's unit; no scale or chart: their box is empty. */
 struct layout {
     double     size;        /* of letters */
-    struct box fold, chart, scale;
+    struct drawn_box fold, chart, scale;
     double     width, height;
 };
 
@@ -83,9 +81,9 @@ static void lay_out(struct show *show)
     double left = margin + floor((room - height * (chart + fold_width / fold_height)) / 2);
     l->width = width;
     l->height = inner + 2 * margin;
-    l->chart = (struct box){left, margin + floor((inner - height) / 2), chart * height, height};
-    l->fold = (struct box){ceil(left + chart * height + gap), l->chart.y, height * fold_width / fold_height, height};
-    l->scale = (struct box){width - margin - scale + 1.5 * l->size, margin, scale > 0 ? l->size : 0, inner};
+    l->chart = (struct drawn_box){left, margin + floor((inner - height) / 2), chart * height, height};
+    l->fold = (struct drawn_box){ceil(left + chart * height + gap), l->chart.y, height * fold_width / fold_height, height};
+    l->scale = (struct drawn_box){width - margin - scale + 1.5 * l->size, margin, scale > 0 ? l->size : 0, inner};
 }
 
 /* ---- the fold ---- */
@@ -110,7 +108,7 @@ static bool color_cells(const struct show *show, double (*color)[3])
 /* The fold as an image of so many pixels a unit; NULL: out of memory. */
 static cairo_surface_t *render_fold(const struct show *show, int pixels)
 {
-    const struct box *box = &show->layout.fold;
+    const struct drawn_box *box = &show->layout.fold;
     const struct surface *s = show->surface;
     double (*color)[3] = malloc((size_t)s->nx * (size_t)s->ny * sizeof *color);
     struct render render = {
@@ -151,43 +149,10 @@ static bool draw_fold(cairo_t *cairo, const struct show *show, enum canvas_forma
 
 /* ---- what stands beside it ---- */
 
-static void set_rgb(cairo_t *cairo, struct rgb c)
-{
-    cairo_set_source_rgb(cairo, c.red, c.green, c.blue);
-}
-
-/* The stitches of one kind as one area, so that no seam shows between them. */
-static void draw_stitches(cairo_t *cairo, const struct show *show, int stitch)
-{
-    const struct grid *g = show->scene->grid;
-    const struct box *box = &show->layout.chart;
-    double width = box->width / g->columns, height = box->height / g->rows;
-    for (int y = 0; y < g->rows; y++) {
-        for (int x = 0, end; x < g->columns; x = end) {
-            for (end = x + 1; end < g->columns && grid_at(g, end, y) == grid_at(g, x, y);)
-                end++;
-            if (grid_at(g, x, y) == stitch)
-                cairo_rectangle(cairo, box->x + x * width, box->y + (g->rows - 1 - y) * height, (end - x) * width, height);
-        }
-    }
-    set_rgb(cairo, colours_stitch(show->palette, stitch));
-    cairo_fill(cairo);
-}
-
-static void draw_chart(cairo_t *cairo, const struct show *show)
-{
-    const struct box *box = &show->layout.chart;
-    cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
-    set_rgb(cairo, colours_stitch(show->palette, STITCH_K));
-    cairo_fill(cairo);
-    for (int stitch = STITCH_K + 1; stitch < show->scene->nstitches; stitch++)
-        draw_stitches(cairo, show, stitch);
-}
-
 /* A line of letters that runs upward, its middle at the scale's. */
 static void draw_upward(cairo_t *cairo, const struct show *show, double x, const char *text)
 {
-    const struct box *box = &show->layout.scale;
+    const struct drawn_box *box = &show->layout.scale;
     double size = fmin(show->layout.size, box->height / lettering_width(text, 1));
     cairo_save(cairo);
     cairo_translate(cairo, x, box->y + box->height / 2);
@@ -198,7 +163,7 @@ static void draw_upward(cairo_t *cairo, const struct show *show, double x, const
 
 static void draw_scale(cairo_t *cairo, const struct show *show)
 {
-    const struct box *box = &show->layout.scale;
+    const struct drawn_box *box = &show->layout.scale;
     double size = show->layout.size, right = box->x + box->width;
     enum { STOPS = 32 };
     cairo_pattern_t *colors = cairo_pattern_create_linear(0, box->y + box->height, 0, box->y);
@@ -236,7 +201,7 @@ static bool draw(struct file_log *log, struct file *file, const struct show *sho
     struct canvas *canvas = (show->picture->transparent ? canvas_begin_clear : canvas_begin)(format, size, send, file);
     bool done = draw_fold(canvas->cairo, show, format);
     if (show->picture->chart)
-        draw_chart(canvas->cairo, show);
+        drawn_body(canvas->cairo, show->scene, show->layout.chart, &(struct drawn_style){.palette = show->palette});
     if (show->field.value)
         draw_scale(canvas->cairo, show);
     const char *why = canvas_end(canvas);
@@ -249,10 +214,9 @@ static bool draw(struct file_log *log, struct file *file, const struct show *sho
 bool portrait_write(struct file_log *log, const struct output *output, const struct scene *scene,
                    const struct surface *surface)
 {
-    static const char *const palettes[] = {[DYES_PAPER] = "paper", [DYES_SAFE] = "safe"};
     const struct picture *picture = &output->picture;
     struct show show = {.picture = picture, .scene = scene, .surface = surface,
-                        .palette = colours_palette(palettes[picture->palette]), .view = view_make(picture->view)};
+                        .palette = drawn_palette(picture->palette), .view = view_make(picture->view)};
     if (picture->color != COLOR_STITCH) {
         show.field = field_of(surface, picture->color);
         if (!show.field.value) {

@@ -22,7 +22,7 @@ only lang '(lang/.*|parser\.h)'
 only drawing 'drawing/.*'
 only charts '(lang|charts|drawing)/.*'
 only solver '(solver/.*|lang/(scene|grid)\.h)'
-only output '(output/.*|drawing/.*|solver/surface\.h|lang/(scene|grid)\.h)'
+only output '(output/.*|drawing/.*|charts/drawn_body\.h|solver/surface\.h|lang/(scene|grid)\.h)'
 
 includes solver | grep ' lang/' | grep -v '^solver/sheet\.[ch] ' >"$work/strangers"
 empty 'of the solver, only sheet.[ch] reads the scene' "$work/strangers"

@@ -78,6 +78,8 @@ static void print_output(const struct output *o)
         printf("    view %g %g, light %g %g, width %d, color %d, palette %d%s%s%s\n", p->view[0], p->view[1],
                p->light[0], p->light[1], p->width, (int)p->color, (int)p->palette, p->edges ? ", edges" : "",
                p->transparent ? ", transparent" : "", p->chart ? ", chart" : "");
+    if (o->kind == OUTPUT_CHART)
+        printf("    symbols %d, color %d, palette %d\n", (int)o->chart.symbols, o->chart.color, (int)o->chart.palette);
 }
 
 static void print_settings(const struct scene *scene)

@@ -16,7 +16,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 os.chdir(sys.argv[1])
 SAMPLES = 3                     # cells along a stitch's side, as the script of readers.sh has it
 WIDTH, HEIGHT = 1.4, 1.2        # of a stitch
-SRGB = {"K": (204, 64, 51), "P": (51, 89, 191)}
+SRGB = {"K": (200, 53, 43), "P": (47, 95, 168)}
 failed = []
 
 
