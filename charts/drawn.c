@@ -17,7 +17,7 @@ enum {
     PAGE_MOST  = 14400,     /* points of a PDF's side (PDF 1.7, annex C) */
     PIXELS     = 2,         /* of a point in PNG */
     TITLE      = 256,       /* bytes */
-    NUMBERS    = 500,       /* on one side */
+    NUMBERS    = 300,       /* on one side */
     HEAVY      = 10         /* cells between heavy lines */
 };
 
@@ -285,14 +285,14 @@ static void draw_lines(cairo_t *cairo, const struct sheet *sheet, int columns, i
 static void draw_grid(cairo_t *cairo, const struct sheet *sheet)
 {
     const struct grid *g = sheet->scene->grid;
-    double pen = fmin(0.05 * sheet->size, 0.1 * fmin(sheet->cell_width, sheet->cell_height));
+    double cell = fmin(sheet->cell_width, sheet->cell_height), pen = fmin(0.05 * sheet->size, 0.1 * cell);
     int columns = sheet->column_step > HEAVY ? sheet->column_step : HEAVY;
     int rows = sheet->row_step > HEAVY ? sheet->row_step : HEAVY;
     if (!sheet->side)
         draw_lines(cairo, sheet, 1, 1, 0.6, pen);
     if (g->columns > 2 * HEAVY || g->rows > 2 * HEAVY)
         draw_lines(cairo, sheet, columns, rows, 0.3, 1.5 * pen);
-    outline(cairo, sheet->body, 0.1 * sheet->size);
+    outline(cairo, sheet->body, fmin(0.1 * sheet->size, 0.5 * cell));
 }
 
 static void draw_number(cairo_t *cairo, const struct sheet *sheet, double x, double y, enum lettering_align align,

@@ -20,7 +20,10 @@ CLEANFILES += tests/charts/machine$(EXEEXT) tests/charts/paint$(EXEEXT)
 tests/charts/png.sh.log tests/charts/knitout.sh.log: tests/charts/machine$(EXEEXT) tests/charts/paint$(EXEEXT)
 
 if HAVE_CMOCKA
-check_PROGRAMS += tests/charts/test_exchange
+check_PROGRAMS += tests/charts/test_drawn tests/charts/test_exchange
+tests_charts_test_drawn_SOURCES = tests/charts/test_drawn.c
+tests_charts_test_drawn_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_charts_test_drawn_LDADD = libcharts.a libdrawing.a liblang.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 tests_charts_test_exchange_SOURCES = tests/charts/test_exchange.c
 tests_charts_test_exchange_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_charts_test_exchange_LDADD = libcharts.a liblang.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)

@@ -36,6 +36,30 @@ check "the script's own outputs are not written" test ! -e unused.txt
 exits 4 'a folder that is not there' "$WEFT" chart "$work/flag.knit" -o "$work/none/x.txt"
 err 'is named' "there is no folder '.*none'"
 
+# Drawings.
+exits 0 'drawn' "$WEFT" chart "$work/flag.knit" -o "$work/x.svg" -o "$work/x.pdf" -o chart:"$work/x.PNG"
+check 'svg' grep -q '^<svg' "$work/x.svg"
+check 'pdf' grep -aq '^%PDF-' "$work/x.pdf"
+check 'png' grep -aq 'PNG' "$work/x.PNG"
+exits 0 'again' "$WEFT" chart "$work/flag.knit" -o "$work/y.svg" -o "$work/y.pdf" -o "$work/y.PNG"
+for kind in svg pdf PNG; do
+    check "$kind has the same bytes" cmp "$work/x.$kind" "$work/y.$kind"
+done
+exits 2 'a kind of drawing that is not there' "$WEFT" chart "$work/flag.knit" -o "$work/x.gif"
+err 'is told from those that are' 'written as .svg, .pdf, .png, .txt'
+echo 'swatch each (x, y) in 2 by 20000 : x * y mod 7 < 2 ? K : P' >"$work/tall.knit"
+exits 3 'more pixels than a PNG may have' "$WEFT" chart "$work/tall.knit" -o "$work/tall.png"
+err 'are refused' "tall.knit: .*tall.png': a PNG has at most 30000 pixels"
+check 'and nothing is written' test ! -e "$work/tall.png"
+
+printf 'Cast on 4 sts\nRounds 1-3: k3, p1\n' >"$work/round.knit"
+exits 0 'rounds' "$WEFT" chart "$work/round.knit"
+check 'have their numbers at the right' diff - "$work/out" <<'TEXT'
+ p k k k  3
+ p k k k  2
+ p k k k  1
+TEXT
+
 if [ -w /dev/full ]; then
     exits 4 'a full disk' sh -c '"$1" chart "$2" >/dev/full' - "$WEFT" "$work/flag.knit"
     err 'is said' 'standard output: No space left'

@@ -35,7 +35,7 @@ wrong 'part of a choice' '--diagnostics takes one of: human json' check --diagno
 wrong 'a warning level that is not there' '-W takes one of: error' check -W none "$work/rib.knit"
 wrong 'help on a command that is not there' "no command 'knit'" help knit
 wrong 'help on one that is misspelt' 'did you mean chart?' help chrat
-wrong 'a chart in a format that is not there' 'a chart is written as .txt' chart "$work/rib.knit" -o "$work/x.gif"
+wrong 'a chart in a format that is not there' 'a chart is written as .svg' chart "$work/rib.knit" -o "$work/x.gif"
 
 exits 0 'letters in one word' "$WEFT" check -qWerror "$work/rib.knit"
 exits 0 'options after the file' "$WEFT" check "$work/rib.knit" -q
