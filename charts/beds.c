@@ -5,7 +5,13 @@
 #include <stdarg.h>
 #include <stddef.h>
 
-enum { NEEDLES = 2 * NEEDLE_MOST + 1, FEW = 4 };
+enum { NEEDLES = 2 * NEEDLE_MOST + 1, PAGE = 1024, PAGES = NEEDLES / PAGE + 1, FEW = 4 };
+
+/* A needle of each bed that face each other unracked. */
+struct slot {
+    int           loops[2];
+    unsigned char knitted;      /* the bed its stitch of this pass was worked on */
+};
 
 /* Until a row has worked every loop there is, loops are cast on.  Behind the
  * first operation that is not plain there may only be a bind-off. */
@@ -17,9 +23,8 @@ struct beds {
     struct raster raster;
     enum phase    phase;
     double        rack;
-    int          *loops[2];     /* (NEEDLES) by bed and number */
+    struct slot  *page[PAGES];  /* of PAGE needles each, from the left; NULL: never used */
     int           nfilled;      /* needles that hold any */
-    unsigned char *knitted;     /* (NEEDLES) the bed each stitch of this pass was worked on */
 
     /* The pass of the carrier: stitches one behind the other in one direction. */
     int         direction, last, worked;
@@ -41,17 +46,30 @@ struct beds *beds_new(struct arena *arena, struct diag *diag)
 {
     struct beds *beds = arena_new(arena, struct beds);
     *beds = (struct beds){.arena = arena, .diag = diag, .raster = {.arena = arena, .diag = diag}};
-    for (int bed = 0; bed < 2; bed++)
-        beds->loops[bed] = arena_array(arena, int, NEEDLES);
-    beds->knitted = arena_array(arena, unsigned char, NEEDLES);
     return beds;
 }
 
 /* ---- loops ---- */
 
+static struct slot *slot_at(struct beds *b, int number)
+{
+    struct slot **page = &b->page[(number + NEEDLE_MOST) / PAGE];
+    if (!*page)
+        *page = arena_array(b->arena, struct slot, PAGE);
+    return *page + (number + NEEDLE_MOST) % PAGE;
+}
+
+/* The first needle from the i-th on that may ever have been used; PAGES * PAGE: none. */
+static int next_used(const struct beds *b, int i)
+{
+    while (i < PAGES * PAGE && !b->page[i / PAGE])
+        i += PAGE - i % PAGE;
+    return i;
+}
+
 static int *loops_at(struct beds *b, struct needle n)
 {
-    return &b->loops[n.bed][n.number + NEEDLE_MOST];
+    return &slot_at(b, n.number)->loops[n.bed];
 }
 
 static void set_loops(struct beds *b, struct needle n, int loops)
@@ -102,9 +120,11 @@ static void part_of_a_row(struct beds *b, struct span span)
 static void find_columns(struct beds *b)
 {
     b->column = arena_array(b->arena, int, (size_t)b->nfilled);
-    for (int i = 0; i < NEEDLES; i++)
-        if (b->loops[BED_FRONT][i] || b->loops[BED_BACK][i])
-            b->column[b->ncolumns++] = i;
+    for (int i = next_used(b, 0); i < PAGES * PAGE; i = next_used(b, i + 1)) {
+        const struct slot *slot = &b->page[i / PAGE][i % PAGE];
+        if (slot->loops[BED_FRONT] || slot->loops[BED_BACK])
+            b->column[b->ncolumns++] = i - NEEDLE_MOST;
+    }
     b->first_row = b->begin;
     b->phase = KNITTING;
 }
@@ -115,7 +135,7 @@ static void end_row(struct beds *b, struct span span)
         find_columns(b);
     bool room = true;
     for (int i = 0; i < b->ncolumns && room; i++)
-        room = raster_stitch(&b->raster, b->knitted[b->column[i]] == BED_FRONT ? STITCH_K : STITCH_P, span);
+        room = raster_stitch(&b->raster, slot_at(b, b->column[i])->knitted == BED_FRONT ? STITCH_K : STITCH_P, span);
     raster_row(&b->raster, span);
     b->turned = b->direction;
     b->last_row = span;
@@ -135,7 +155,7 @@ static void step(struct beds *b, int direction, struct needle n, struct span spa
     b->last = n.number;
     b->worked++;
     b->end = span;
-    b->knitted[n.number + NEEDLE_MOST] = (unsigned char)n.bed;
+    slot_at(b, n.number)->knitted = (unsigned char)n.bed;
     if (b->phase == CLOSING && b->worked > b->longest)
         b->longest = b->worked;
 }
@@ -236,8 +256,8 @@ void beds_drop(struct beds *b, struct needle n, struct span span)
 static void no_row(struct beds *b)
 {
     int both = 0;
-    for (int i = 0; i < NEEDLES; i++)
-        both += b->loops[BED_FRONT][i] && b->loops[BED_BACK][i];
+    for (int i = next_used(b, 0); i < PAGES * PAGE; i = next_used(b, i + 1))
+        both += b->page[i / PAGE][i % PAGE].loops[BED_FRONT] && b->page[i / PAGE][i % PAGE].loops[BED_BACK];
     if (both)
         not_plain(b, b->end, "%d needles of the front bed and those that face them both hold stitches: a tube or a double "
                   "fabric is not one sheet of knit and purl", both);

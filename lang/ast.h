@@ -119,26 +119,34 @@ struct row {
     enum side           side;
     bool                setup;          /* before row 1, without a number */
     struct row_numbers *numbers;        /* NULL: the next row, */
-    struct expr        *count;          /* or the next so many rows */
+    struct expr        *count;          /* or the next so many rows, */
+    bool                total;          /* or as many as there are then in all */
+    enum side           starting;       /* the side of the first of them */
     struct span         head;
     enum body_kind      body;
     struct span         body_span;
     struct item        *item;
     struct fabric       fabric;
-    struct row_numbers *reference;      /* as row n, as rows 1-4 */
+    struct row_numbers *reference;      /* as row n, as rows 1-4, */
+    struct expr        *times;          /* so often; or NULL */
     struct expr        *check;          /* (n sts), or NULL */
     struct span         check_span;
 };
 
 /* Repeating rows is working them again: n times means n more times. */
-enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL };
+enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGAIN_ROWS };
+
+/* Which rows, where no numbers are given. */
+enum again_which { AGAIN_NUMBERS, AGAIN_LAST, AGAIN_THEM, AGAIN_GO_ON };
 
 struct again {
+    enum again_which    which;
     struct row_numbers *numbers;
-    struct expr        *last;           /* repeat the last n rows; numbers is NULL */
+    struct expr        *last;           /* repeat the last n rows */
     enum again_kind     kind;
     bool                pattern;        /* said in words: "for pattern" */
     struct expr        *n;
+    struct again       *then;           /* "then rows 1 and 2 once more" */
 };
 
 /* ---- statements ---- */

@@ -293,23 +293,36 @@ static bool too_many_rows(struct eval *eval, struct span span)
     return true;
 }
 
-/* The next so many rows. */
-static bool count_labels(struct eval *eval, struct where where, const struct row *row, const struct body *body,
-                         struct labels *labels)
+/* The next so many rows; n = 1 where no number is said. */
+static bool count_rows(struct eval *eval, struct where where, const struct row *row, const struct body *body, long long *n)
 {
-    long long n, next = rows_last_label(body->rows) + 1;
+    long long before = row->total ? rows_count(body->rows) : 0;
 
-    if (!eval_whole(eval, where, row->count, 1, LIMIT_WRITTEN_ROWS, "the number of rows", &n))
+    *n = 1;
+    if (!row->count)
+        return true;
+    if (!eval_whole(eval, where, row->count, 1, LIMIT_WRITTEN_ROWS, "the number of rows", n))
         return false;
-    for (long long i = 0; i < n; i++)
-        if (!add_label(eval, labels, next + i, row->head))
-            return false;
-    return true;
+    *n -= before;
+    if (*n > 0)
+        return true;
+    diag_error(eval->diag, CODE_ROW_NUMBER, row->head, "there are %lld rows already", before);
+    return false;
 }
 
-/* `Rows 5-12: as rows 1-4`: whole turns. */
-static bool check_references(struct eval *eval, const struct row *row, const struct labels *labels, int nrows)
+/* `Rows 5-12: as rows 1-4`: whole turns, as many as are said. */
+static bool check_references(struct eval *eval, struct where where, const struct row *row, const struct labels *labels,
+                             int nrows)
 {
+    long long times;
+
+    if (row->times && !eval_whole(eval, where, row->times, 1, LIMIT_ROWS, "this number", &times))
+        return false;
+    if (row->times && labels->n && times * labels->n != nrows) {
+        diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "%d rows worked %lld times are %lld rows, not %d",
+                   labels->n, times, times * labels->n, nrows);
+        return false;
+    }
     if (!labels->n || nrows % labels->n == 0)
         return labels->n > 0;
     diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "%d rows cannot be worked as %d rows", nrows,
@@ -331,78 +344,111 @@ static struct row_text *make_text(struct eval *eval, struct where where, const s
     return text;
 }
 
+/* The i-th row of a statement; rows of one text share it. */
+struct row_run {
+    const struct row *row;
+    struct labels labels, from;
+    struct row_text *text;
+    int which;          /* whose text it is: a row's number, or a variant of a fabric */
+};
+
+static bool next_text(struct eval *eval, struct where where, struct row_run *run, struct body *body, int i)
+{
+    const struct row *row = run->row;
+    int which = row->body == BODY_AS_ROW ? run->from.label[i % run->from.n] : row->body == BODY_FABRIC ? fabric_variant(row, i) : 0;
+    bool starting = row->starting && i < 2;
+
+    if (i > 0 && which == run->which && !starting)
+        return true;
+    run->which = which;
+    run->text = make_text(eval, where, row, body, which);
+    if (run->text && starting && i == 0)
+        run->text->side = row->starting;
+    return run->text != NULL;
+}
+
 static bool run_row(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
     const struct row *row = &stmt->row;
-    struct row_text *text = NULL;
-    struct labels labels = {0}, from = {0};
-    int before = 0;
+    struct row_run run = {.row = row};
+    bool all = false;
+    long long n;
 
-    if (too_many_rows(eval, row->head) || !evaluate_labels(eval, where, row->numbers, &labels) ||
-        (row->count && !count_labels(eval, where, row, body, &labels)) ||
-        !evaluate_labels(eval, where, row->reference, &from))
+    if (too_many_rows(eval, row->head) || !evaluate_labels(eval, where, row->numbers, &run.labels) ||
+        !count_rows(eval, where, row, body, &n) || !evaluate_labels(eval, where, row->reference, &run.from))
         return false;
-    if (row->body == BODY_AS_ROW && !check_references(eval, row, &from, labels.n ? labels.n : 1))
+    if (run.labels.n)
+        n = run.labels.n;
+    if (row->body == BODY_AS_ROW && !check_references(eval, where, row, &run.from, (int)n))
         return false;
-
-    /* Rows of one text share it. */
-    for (int i = 0; i < (labels.n ? labels.n : 1); i++) {
-        int which = row->body == BODY_AS_ROW   ? from.label[i % from.n]
-                    : row->body == BODY_FABRIC ? fabric_variant(row, i)
-                                               : 0;
-
-        if (i == 0 || which != before)
-            text = make_text(eval, where, row, body, which);
-        if (!text)
+    for (const struct row_numbers *part = row->numbers; part; part = part->next)
+        all |= part->all != ALL_NONE;
+    for (int i = 0; i < n; i++) {
+        if (!next_text(eval, where, &run, body, i))
             return false;
-        if (labels.n)
-            rows_add(body->rows, text, &labels.label[i], 1);
-        before = which;
+        if (run.labels.n)
+            rows_add(body->rows, run.text, run.labels.label[i]);
+        else if (!all)
+            rows_add_next(body->rows, run.text);
     }
     for (const struct row_numbers *part = row->numbers; part; part = part->next)
         if (part->all)
-            rows_fill(body->rows, text, part->all, labels.n ? labels.label[0] : 1);
-    if (row->setup)
-        rows_set_up(body->rows, text);
-    else if (!row->numbers && !row->count)
-        rows_add(body->rows, text, NULL, 0);
+            rows_fill(body->rows, run.text, part->all, run.labels.n ? run.labels.label[0] : 1);
     return true;
 }
 
-static bool run_again(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+/* ---- rows worked again ---- */
+
+static bool find_rows(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body,
+                      struct row_texts *texts)
 {
-    const struct again *again = &stmt->again;
     struct labels labels = {0};
-    long long n = 0, last;
-    int end;
+    long long last;
+
+    switch (again->which) {
+    case AGAIN_LAST:
+        if (!eval_whole(eval, where, again->last, 1, rows_count(body->rows), "the number of rows", &last))
+            return false;
+        *texts = rows_last(body->rows, (int)last);
+        return true;
+    case AGAIN_THEM:
+    case AGAIN_GO_ON:
+        *texts = rows_pattern(body->rows, again->which == AGAIN_GO_ON);
+        if (texts->n)
+            return true;
+        diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "there are no numbered rows to go on with");
+        return false;
+    default:
+        return evaluate_labels(eval, where, again->numbers, &labels) &&
+               rows_labelled(body->rows, stmt->span, labels.label, labels.n, texts);
+    }
+}
+
+static bool run_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again,
+                      struct body *body)
+{
+    struct row_texts texts;
+    long long n = 0;
 
     rows_work(body->rows);
-    end = rows_last_label(body->rows);
     if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
         return false;
-    if (!evaluate_labels(eval, where, again->numbers, &labels))
+    if (!find_rows(eval, where, stmt, again, body, &texts))
         return false;
-    if (again->last) {
-        if (!eval_whole(eval, where, again->last, 1, end, "the number of rows", &last))
-            return false;
-        for (long long label = end - last + 1; label <= end; label++)
-            if (!add_label(eval, &labels, label, stmt->span))
-                return false;
-    }
     if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
         diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span,
                      "how often these rows are repeated is not said: not once more");
         diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
     }
-    if (again->kind == AGAIN_TOTAL && n && rows_just_worked(body->rows, labels.label, labels.n))
+    if (again->kind == AGAIN_TOTAL && n && rows_just_worked(body->rows, texts))
         n--;
-    if ((again->kind == AGAIN_TIMES || again->kind == AGAIN_TOTAL) && n)
-        rows_again(body->rows, stmt->span, labels.label, labels.n, n, 0);
-    else if (again->kind == AGAIN_UNTIL_ROWS)
-        rows_again(body->rows, stmt->span, labels.label, labels.n, 0, n);
-    else
-        rows_again(body->rows, stmt->span, labels.label, 0, 0, 0);
-    return true;
+    if (again->kind == AGAIN_UNTIL_ROWS)
+        rows_again(body->rows, stmt->span, texts, 0, n);
+    else if (again->kind == AGAIN_ROWS && n)
+        rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + n);
+    else if (n)
+        rows_again(body->rows, stmt->span, texts, n, 0);
+    return !again->then || run_again(eval, where, stmt, again->then, body);
 }
 
 static bool run_cast_on(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
@@ -481,7 +527,7 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
             return false;
         }
         return stmt->kind == STMT_ROW ? run_row(eval, *where, stmt, body)
-                                      : run_again(eval, *where, stmt, body);
+                                      : run_again(eval, *where, stmt, &stmt->again, body);
     case STMT_CHART:
         return run_chart(eval, *where, stmt, body);
     case STMT_FOR:

@@ -39,6 +39,7 @@
     X(CODE_ROW_WIDTH,       310, "rows whose width is open or contradictory")                                 \
     X(CODE_CAST_ON,         311, "a cast-on in the wrong place, or twice")                                    \
     X(CODE_ROW_REFERENCE,   312, "a row that is not there")                                                   \
+    X(CODE_ELSEWHERE,       313, "a part of a row that is said elsewhere")                                    \
     /* motifs, charts and fabrics */                                                                          \
     X(CODE_FIT,             401, "a width that is not a multiple of the motif")                               \
     X(CODE_SIZES,           402, "fabrics of different width or height put together")                         \
@@ -91,7 +92,8 @@
     X(CODE_FIRST_SIZE,      905, "several sizes, of which the first is taken")                                \
     X(CODE_ASSUMED_WIDTH,   906, "rows without a cast-on, over some repeats of their multiple")               \
     X(CODE_ASSUMED_REPEAT,  907, "a repeat in a row whose beginning is not marked")                           \
-    X(CODE_ASSUMED_TOTAL,   908, "rows worked so often, by which the first time may be meant or not")
+    X(CODE_ASSUMED_TOTAL,   908, "rows worked so often, by which the first time may be meant or not")   \
+    X(CODE_SECOND_PART,     909, "rows that begin again at 1: a second part")
 
 enum diag_code {
 #define X(name, number, about) name = number,

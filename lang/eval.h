@@ -130,6 +130,7 @@ struct eval {
     enum origin         stitch_from[STITCH_MAX][5];     /* where each key's value comes from */
     long long           steps, cells, items;
     int                 depth, calls, written_rows;
+    struct span         refused;        /* the line of a stitch that was refused last */
     bool                exhausted;      /* a limit of time was reported */
     const char         *word_K, *word_P, *word_pi;
     const char        **function;       /* names of the built-in functions, in their table's order */

@@ -115,23 +115,41 @@ unsigned source_start(const struct source *source)
     return source->size >= 3 && memcmp(source->text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
 }
 
-/* The blanks of a page (no-break, thin, zero width): each byte of them becomes a
- * plain one, so that places stay the same. */
+/* What stands in a page for a plain character: blanks of other kinds, HTML's names,
+ * Markdown's backslashes.  Blanks come first, then the plain one, so that places stay the same. */
+static const struct {
+    const char *text;
+    char plain;
+} spellings[] = {
+    {"\xC2\xA0", ' '},     {"\xE2\x80\xAF", ' '}, {"\xE2\x80\x82", ' '}, {"\xE2\x80\x83", ' '}, {"\xE2\x80\x89", ' '},
+    {"\xE2\x80\x8A", ' '}, {"\xE2\x80\x8B", ' '}, {"\xE2\x80\x87", ' '}, {"\xE2\x81\xA0", ' '}, {"\xE3\x80\x80", ' '},
+    {"\xEF\xBB\xBF", ' '}, {"&nbsp;", ' '},       {"&amp;", '&'},        {"&ndash;", '-'},      {"&mdash;", '-'},
+    {"&#8211;", '-'},      {"&#8212;", '-'},      {"&times;", 'x'},      {"&#160;", ' '},       {"&#215;", 'x'},
+    {"&lt;", '<'},         {"&gt;", '>'},         {"\\*", '*'},          {"\\[", '['},          {"\\]", ']'},
+    {"\\(", '('},          {"\\)", ')'},          {"\\-", '-'},          {"\\#", ' '},
+};
+
+/* Where one of them may begin. */
+static bool may_be_spelling(unsigned char c)
+{
+    return c >= 0xC2 || c == '&' || c == '\\';
+}
+
 const char *source_plain(struct arena *arena, const struct source *source)
 {
-    static const char *const blanks[] = {"\xC2\xA0",     "\xE2\x80\xAF", "\xE2\x80\x82", "\xE2\x80\x83", "\xE2\x80\x89",
-                                         "\xE2\x80\x8A", "\xE2\x80\x8B", "\xE2\x80\x87", "\xE2\x81\xA0", "\xE3\x80\x80",
-                                         "\xEF\xBB\xBF"};
     char *text = NULL;
 
     for (size_t at = 0; at < source->size; at++)
-        for (size_t i = 0; (unsigned char)source->text[at] >= 0xC2 && i < sizeof blanks / sizeof *blanks; i++) {
-            size_t n = strlen(blanks[i]);
+        for (size_t i = 0; may_be_spelling((unsigned char)source->text[at]) && i < sizeof spellings / sizeof *spellings; i++) {
+            size_t n = strlen(spellings[i].text);
 
-            if (strncmp(source->text + at, blanks[i], n) != 0)
+            if (strncmp(source->text + at, spellings[i].text, n) != 0)
                 continue;
             text = text ? text : arena_copy(arena, source->text, source->size);
             memset(text + at, ' ', n);
+            text[at + n - 1] = spellings[i].plain;
+            at += n - 1;
+            break;
         }
     return text ? text : source->text;
 }

@@ -128,6 +128,10 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 
 %token PROSE            "a line of text"
 %token GO_ON            "'continue in pattern'"
+%token GO_ON_ROWS       "'continue in pattern for'"
+%token <side> STARTING  "'starting with'"
+%token REPEAT_THEM      "'repeat them'"
+%token THEN_ROWS        "'then rows'"
 %token CAST_ON          "'cast on'"
 %token SIZES            "further sizes"
 %token <parity> NUMBER_OF "'an even number of'"
@@ -238,7 +242,8 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %type <items>     items elements
 %type <until>     until position times
 %type <expr>      check
-%type <again>     again
+%type <again>     again again_once
+%type <side>      starting
 
 %%
 
@@ -422,6 +427,7 @@ row_body:
 | elements REP_ALL until elements[tail] check
                                         { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, $tail.first), .check = $check, .check_span = @check}; }
 | AS_ROW parts                          { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first}; }
+| AS_ROW parts times                    { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first, .times = $times.n}; }
 | AS_NTH_ROW                            { $$ = (struct row){.body = BODY_AS_ROW, .reference = ast_row_numbers(parse, @1, expr_number(parse, @1, $1.value, 0), NULL, ALL_NONE)}; }
 | FABRIC                                { $$ = (struct row){.body = BODY_FABRIC, .fabric = $1}; }
 | AS_BELOW                              { $$ = (struct row){.body = BODY_AS_BELOW}; }
@@ -495,9 +501,18 @@ repeat_statement:
   REPEAT_ROWS parts again               { $$ = stmt_again(parse, @$, syntax_again($parts.first, NULL, $again)); }
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
+| REPEAT_THEM again                     { $$ = stmt_again(parse, @$, (struct again){AGAIN_THEM, NULL, NULL, $again.kind, $again.pattern, $again.n, $again.then}); }
+| GO_ON_ROWS count more ROW_WORD pattern
+                                        { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK_ROWS parts again                 { $$ = stmt_again(parse, @$, syntax_work_again(parse, @$, $parts.first, $again)); }
 ;
+pattern: %empty | FOR_PATTERN;
 again:
+  again_once
+| again_once[once] THEN_ROWS parts again_once[then]
+                                        { $$ = $once; $$.then = syntax_then(parse, @THEN_ROWS, $parts.first, $then); }
+;
+again_once:
   %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | FOR_PATTERN                           { $$ = (struct again){.kind = AGAIN_PATTERN, .pattern = true}; }
 | count TIMES                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
@@ -516,10 +531,22 @@ again:
 
 work_statement:
   PLAIN_ROWS count more ROW_WORD        { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
+| PLAIN_EVERY FOR_ROWS count ROW_WORD   { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
+| PLAIN_EVERY UNTIL_ROWS count ROW_WORD { $$ = stmt_row(parse, @$, syntax_total(syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD))); }
+| PLAIN_EVERY UNTIL_LENGTH              { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, syntax_two_rows(parse, @$), SIDE_OPEN)); }
 | PLAIN_EVERY                           { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, NULL, SIDE_OPEN)); }
-| WORK in FABRIC for count ROW_WORD     { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD)); }
-| WORK count ROW_WORD in FABRIC         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD)); }
+| WORK in FABRIC for count more ROW_WORD starting
+                                        { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
+| WORK count more ROW_WORD in FABRIC starting
+                                        { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
+| WORK in FABRIC UNTIL_ROWS count ROW_WORD
+                                        { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN))); }
+| WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN)); }
+| WORK in FABRIC FOR_PATTERN            { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN)); }
+| WORK in FABRIC                        { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN)); }
+| STARTING work_statement[work]         { $$ = $work; $$->row.starting = $STARTING; }
 ;
+starting: %empty                        { $$ = SIDE_OPEN; } | STARTING;
 more: %empty | MORE;
 in: %empty | IN_FABRIC;
 for: %empty | FOR_ROWS | ',' | ':' | RANGE;

@@ -10,7 +10,7 @@
 #include "lang/scanner.h"
 #include "lang/syntax.h"
 
-enum { TITLE_LINES = 3, TITLE_WORDS = 10, LONGEST = 4000 };
+enum { TITLE_LINES = 3, TITLE_WORDS = 10, SENTENCE = 6, LONGEST = 4000 };
 
 static size_t line_length(const char *text)
 {
@@ -58,8 +58,11 @@ static bool line_has(const char *text, const char *characters)
 {
     size_t n = line_length(text);
 
+    /* `**` makes letters bold. */
     for (size_t i = 0; i < n; i++)
-        if (strchr(characters, text[i]))
+        if (text[i] == '*' && text[i + 1] == '*')
+            i++;
+        else if (strchr(characters, text[i]))
             return true;
     return false;
 }
@@ -73,6 +76,9 @@ static bool line_has_word(const char *text, const char *word)
             return true;
     return false;
 }
+
+static bool is_rows_word(const char *text);
+static const char *behind_number(const char *text);
 
 /* ---- parts of a line ---- */
 
@@ -100,7 +106,136 @@ bool prose_statement_follows(const char *text)
                                        "knit", "purl", "work",  "rep",    "repeat", "with", "using", "weave", "bo"};
 
     text += strspn(text, "*_ \t");
+    if (behind_number(text))
+        return is_rows_word(behind_number(text));
     return is_one_of(text, word, sizeof word / sizeof *word);
+}
+
+static bool is_rows_word(const char *text)
+{
+    static const char *const word[] = {"row", "rows", "round", "rounds", "rnd", "rnds", "rd", "rds"};
+
+    return is_one_of(text, word, sizeof word / sizeof *word);
+}
+
+static bool is_stitches_word(const char *text)
+{
+    static const char *const word[] = {"st", "sts", "stitch", "stitches"};
+
+    return is_one_of(text, word, sizeof word / sizeof *word);
+}
+
+/* Behind a number in figures or in letters; or NULL. */
+static const char *behind_number(const char *text)
+{
+    static const char *const word[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
+    size_t digits = strspn(text, "0123456789");
+
+    if (digits)
+        return skip_blanks(text + digits);
+    return is_one_of(text, word, sizeof word / sizeof *word) ? skip_blanks(text + word_length(text)) : NULL;
+}
+
+bool prose_has_cast_on(const char *text)
+{
+    static const char *const multiple[] = {"multiple", "mult", "odd", "even", "any", "number"};
+    const char *behind = behind_number(text = skip_blanks(text));
+
+    if (!behind)
+        return is_one_of(skip_blanks(text + word_length(text)), multiple, sizeof multiple / sizeof *multiple);
+    behind += strcspn(behind, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.\r\n");
+    return is_stitches_word(behind);
+}
+
+bool prose_repeats_rows(const char *text)
+{
+    static const char *const word[] = {"for",  "these", "this",    "those", "last", "them", "all", "pattern",
+                                       "previous", "preceding", "in", "as"};
+
+    text = skip_blanks(text);
+    if (is_word(text, "from") || is_word(text, "the"))
+        text = skip_blanks(text + word_length(text));
+    return is_one_of(text, word, sizeof word / sizeof *word) || is_rows_word(text) ||
+           (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
+}
+
+bool prose_fabric_follows(const char *text)
+{
+    static const char *const word[] = {"garter", "g",    "rev",   "reverse", "stockinette", "stocking", "stockinet",
+                                       "st",     "seed", "moss",  "single",  "double"};
+
+    return is_one_of(text, word, sizeof word / sizeof *word) || isdigit((unsigned char)*text) ||
+           (strchr("kK", *text) && isdigit((unsigned char)*skip_blanks(text + 1)));
+}
+
+size_t prose_row_count(const char *sentence)
+{
+    for (size_t i = 1; sentence[i]; i++) {
+        const char *behind = isspace((unsigned char)sentence[i - 1]) ? behind_number(sentence + i) : NULL;
+
+        if (behind && is_word(behind, "more"))
+            behind = skip_blanks(behind + 4);
+        if (behind && is_rows_word(behind))
+            return i;
+    }
+    return 0;
+}
+
+static bool says_how_often(const char *text)
+{
+    static const char *const word[] = {"once", "twice", "times", "time", "more", "until", "for"};
+
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+        if (line_has_word(text, word[i]))
+            return true;
+    return false;
+}
+
+/* `k2, p2`, `*p1`, `knit`, `knit to end`, `rep row 1`. */
+bool prose_stitches_follow(const char *text)
+{
+    static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const behind[] = {"to", "across", "all"},
+                     *const same[] = {"as", "rep", "repeat"};
+    const char *next;
+
+    text += strspn(text, " \t|");
+    if ((*text == '*' && text[1] != '*') || (*text == '(' && syntax_is_row(text + 1)) || (*text == '[' && syntax_is_row(text + 1)))
+        return true;
+    next = skip_blanks(text + word_length(text));
+    if (is_one_of(text, same, 3))
+        return is_rows_word(next) && !says_how_often(next);
+    if (!is_one_of(text, stitch, 4) && !(strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
+        return false;
+    return isdigit((unsigned char)text[1]) || !*next || strchr(".,|\r\n", *next) || is_one_of(next, behind, 3) ||
+           (isdigit((unsigned char)*next) && !is_rows_word(skip_blanks(next + strspn(next, "0123456789"))));
+}
+
+/* Behind the numbers and the side of a row's head; or NULL. */
+static const char *behind_head(const char *text)
+{
+    if (!is_rows_word(text))
+        return NULL;
+    text = skip_blanks(text + word_length(text));
+    if (!isdigit((unsigned char)*text))
+        return NULL;
+    while (isdigit((unsigned char)*text) || strchr(" \t-,&()", *text ? *text : '.') || is_word(text, "and") || is_word(text, "to") ||
+           is_word(text, "rs") || is_word(text, "ws"))
+        text += word_length(text) ? word_length(text) : 1;
+    return text;
+}
+
+bool prose_pattern_follows(const char *text)
+{
+    static const char *const multiple[] = {"multiple", "mult"};
+    const char *head = behind_head(text), *number = skip_blanks(text + word_length(text));
+
+    if (head)
+        return *head == ':' || prose_stitches_follow(head);
+    if (is_word(text, "co"))
+        return prose_has_cast_on(number);
+    if (is_word(text, "cast"))
+        return is_word(number, "on") && prose_has_cast_on(number + 2);
+    return is_one_of(text, multiple, 2) && is_word(number, "of");
 }
 
 /* ---- a statement's word that begins a sentence ---- */
@@ -222,8 +357,8 @@ bool prose_reads(const char *text, bool loose)
         return false;
     if (loose)
         return true;
-    return !line_has(text, "[]\"=<>*|") && !has_stitches(text) && !has_call(text) && word_length(text) > 0 &&
-           (count_words(text) > 1 || line_has(text, ":!"));
+    return !line_has(text, "[]\"=<>*|") && !has_stitches(text) && !has_call(text) &&
+           (word_length(text) > 0 || (isdigit((unsigned char)*text) && count_words(text) >= SENTENCE)) && (count_words(text) > 1 || line_has(text, ":!"));
 }
 
 /* "22 sts", "4 rows": more than a title says. */
@@ -246,6 +381,21 @@ bool prose_is_title(const char *text)
 }
 
 /* ---- in the scanner ---- */
+
+void prose_warn_hidden(struct scanner *scanner, struct span line)
+{
+    const char *text = SCANNER_TEXT(scanner) - (line.end - line.start);
+
+    for (unsigned i = 1; i < line.end - line.start; i++) {
+        struct span span = {line.source, line.start + i, line.end};
+
+        if (isalnum((unsigned char)text[i - 1]) || !isalpha((unsigned char)text[i]) || !prose_pattern_follows(text + i))
+            continue;
+        diag_warning(scanner->parse->diag, CODE_PROSE, span, "this part of the line is read as text, not as a part of the pattern");
+        diag_hint(scanner->parse->diag, "to have it worked, write it on a line of its own");
+        return;
+    }
+}
 
 /* How many lines from here on read as prose; `end` is behind the last. */
 static int block_length(const char *text, const char **end)

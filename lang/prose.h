@@ -4,6 +4,9 @@
 #define WEFT_PROSE_H
 
 #include <stdbool.h>
+#include <stddef.h>
+
+#include "lang/diag.h"
 
 struct scanner;
 
@@ -14,6 +17,17 @@ bool prose_statement_follows(const char *text);     /* a statement that a number
 bool prose_is_keyword(const char *text);            /* "use size 8 needles": a statement's word, but no statement */
 bool prose_reads(const char *text, bool loose);     /* a sentence; loosely: of a list of materials or abbreviations */
 bool prose_is_title(const char *text);
+bool prose_repeats_rows(const char *text);          /* behind `repeat`: rows, not a part of one */
+bool prose_fabric_follows(const char *text);        /* "garter st", "k2, p2 rib" */
+bool prose_has_cast_on(const char *text);           /* "20 sts": so many stitches come next */
+bool prose_stitches_follow(const char *text);       /* a row's text, of a list that numbers its rows */
+bool prose_pattern_follows(const char *text);       /* a row with its name, a cast-on, a multiple */
+
+/* Where in a sentence "18 rows" stands; 0: nowhere. */
+size_t prose_row_count(const char *sentence);
+
+/* Warns of a row or a cast-on in a line that is taken as text. */
+void prose_warn_hidden(struct scanner *, struct span line);
 
 /* Whether the line that begins here is prose; warns where that is not certain. */
 bool scanner_prose(struct scanner *);

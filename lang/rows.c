@@ -34,7 +34,9 @@ struct row_list {
     int label_room;
 
     struct filler *filler;
-    int last_label;
+    int last_label, first_label;    /* of this part of the pattern */
+    int worked_label;               /* of the numbered row worked last */
+    bool loose;                     /* what came last had no number, or was a repeat */
     enum side start; /* the side of the first row worked; open until known */
     bool round, flat, failed;
     struct span span; /* of the row added last */
@@ -46,7 +48,7 @@ struct row_list *rows_new(struct arena *arena, struct diag *diag)
 
     list->arena = arena;
     list->diag = diag;
-    list->first = 1;
+    list->first = list->first_label = 1;
     return list;
 }
 
@@ -73,7 +75,7 @@ int rows_count(const struct row_list *list)
     return list->norder;
 }
 
-int rows_last_label(const struct row_list *list)
+static int last_given(const struct row_list *list)
 {
     return list->npending ? list->first + list->npending - 1 : list->last_label;
 }
@@ -109,13 +111,41 @@ const struct row_text *rows_find(const struct row_list *list, int label)
     return label > 0 && label < list->label_room ? list->label[label] : NULL;
 }
 
+static void flush(struct row_list *list);
+
+/* Row 1 again is where a second part begins; right behind a single row 1 it is a slip. */
+static void begin_again(struct row_list *list, const struct row_text *text)
+{
+    for (int i = 0; i < list->npending; i++)
+        if (!list->pending[i] && !list->filler)
+            return;
+    if (!list->loose && last_given(list) < 2)
+        return;
+    if (!list->loose) {
+        diag_warning(list->diag, CODE_SECOND_PART, text->head,
+                     "the rows begin again at 1: taken as a second part, worked on top of the first");
+        diag_hint(list->diag, "a row that is only numbered wrong: `Row %d`", last_given(list) + 1);
+    }
+    flush(list);
+    list->first = list->first_label = 1;
+    list->last_label = 0;
+    for (int i = 0; i < list->label_room; i++)
+        list->label[i] = NULL;
+}
+
 static void add_at(struct row_list *list, struct row_text *text, int label)
 {
     int at;
 
     /* After a repeat the count may go on with the number of rows worked so far. */
-    if (!list->npending && label == list->norder + 1 && label > list->first)
+    if (!list->npending && label == list->norder + 1 && label > list->first) {
         list->first = label;
+        if (!list->last_label)
+            list->first_label = label;
+    }
+    if (label == 1 && rows_find(list, 1))
+        begin_again(list, text);
+    list->loose = false;
     at = label - list->first;
     if (at < 0 || (at < list->npending && list->pending[at])) {
         const struct row_text *other = rows_find(list, label);
@@ -157,14 +187,10 @@ static bool rows_mix(struct row_list *list, const struct row_text *text)
     return true;
 }
 
-void rows_add(struct row_list *list, struct row_text *text, const int *label, int n)
+void rows_add(struct row_list *list, struct row_text *text, int label)
 {
-    if (!rows_mix(list, text))
-        return;
-    if (!n)
-        add_at(list, text, rows_last_label(list) + 1);
-    for (int i = 0; i < n && !list->failed; i++)
-        add_at(list, text, label[i]);
+    if (rows_mix(list, text) && !list->failed)
+        add_at(list, text, label);
 }
 
 void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, int first)
@@ -280,7 +306,7 @@ static void flush(struct row_list *list)
         check_side(list, text, list->norder);
         if (!append(list, text))
             return;
-        list->last_label = label;
+        list->last_label = list->worked_label = label;
     }
     for (int i = 0; i < list->npending; i++)
         list->pending[i] = NULL;
@@ -293,57 +319,103 @@ void rows_work(struct row_list *list)
     flush(list);
 }
 
-void rows_set_up(struct row_list *list, struct row_text *text)
+void rows_add_next(struct row_list *list, struct row_text *text)
 {
     if (!rows_mix(list, text))
         return;
     flush(list);
-    if (!list->start && text->side && !list->norder)
-        list->start = text->side;
+    if (!list->start && text->side)
+        list->start = list->norder % 2 == 0 || list->round ? text->side : other_side(text->side);
+    list->loose = true;
     if (!list->failed) {
         check_side(list, text, list->norder);
         append(list, text);
     }
 }
 
-bool rows_just_worked(struct row_list *list, const int *label, int n)
+/* ---- rows worked again ---- */
+
+bool rows_labelled(struct row_list *list, struct span span, const int *label, int n, struct row_texts *texts)
+{
+    *texts = (struct row_texts){arena_array(list->arena, struct row_text *, (size_t)n), n};
+    flush(list);
+    for (int i = 0; i < n; i++) {
+        texts->text[i] = label[i] > 0 && label[i] < list->label_room ? list->label[label[i]] : NULL;
+        if (list->failed || texts->text[i])
+            continue;
+        diag_error(list->diag, CODE_ROW_REFERENCE, span, "there is no row %d to repeat", label[i]);
+        fail(list);
+    }
+    return !list->failed;
+}
+
+struct row_texts rows_last(struct row_list *list, int n)
 {
     flush(list);
-    if (list->failed || n > list->norder)
-        return false;
+    return (struct row_texts){list->order + list->norder - n, n};
+}
+
+struct row_texts rows_pattern(struct row_list *list, bool going_on)
+{
+    struct row_texts texts = {0};
+    int first, n;
+
+    flush(list);
+    first = list->first_label;
+    n = list->last_label - first + 1;
+    if (n < 1 || !list->last_label)
+        return texts;
+    texts = (struct row_texts){arena_array(list->arena, struct row_text *, (size_t)n), n};
     for (int i = 0; i < n; i++)
-        if (label[i] >= list->label_room || list->label[label[i]] != list->order[list->norder - n + i])
-            return false;
-    for (int i = 0; i < list->norder - n; i++)
-        if (list->order[i] == list->order[list->norder - n])
+        texts.text[i] = list->label[first + (i + (going_on ? list->worked_label - first + 1 : 0)) % n];
+    return texts;
+}
+
+bool rows_just_worked(const struct row_list *list, struct row_texts texts)
+{
+    int first = list->norder - texts.n;
+
+    if (list->failed || first < 0 || !texts.n || memcmp(list->order + first, texts.text, (size_t)texts.n * sizeof *texts.text) != 0)
+        return false;
+    for (int i = 0; i < first; i++)
+        if (list->order[i] == texts.text[0])
             return false;
     return true;
 }
 
-void rows_again(struct row_list *list, struct span span, const int *label, int n, long long times,
-                long long total)
+/* The label of the row worked last, for `continue in pattern`. */
+static void remember_label(struct row_list *list)
 {
+    for (int label = list->first_label; label <= list->last_label; label++)
+        if (list->norder && list->label[label] == list->order[list->norder - 1])
+            list->worked_label = label;
+}
+
+void rows_again(struct row_list *list, struct span span, struct row_texts texts, long long times, long long total)
+{
+    int n = texts.n;
+    struct row_text **text = arena_array(list->arena, struct row_text *, (size_t)n + 1);
+
     flush(list);
     list->span = span;
-    if (list->failed)
+    list->loose = true;
+    if (list->failed || !n)
         return;
-    for (int i = 0; i < n; i++)
-        if (label[i] < 1 || label[i] >= list->label_room || !list->label[label[i]]) {
-            diag_error(list->diag, CODE_ROW_REFERENCE, span, "there is no row %d to repeat", label[i]);
-            fail(list);
-            return;
-        }
-    if (n && (times > LIMIT_ROWS / n || total > LIMIT_ROWS)) {
+    if (times > LIMIT_ROWS / n || total > LIMIT_ROWS) {
         diag_error(list->diag, CODE_LIMIT_ROWS, span, "this makes more than %d rows", LIMIT_ROWS);
         fail(list);
         return;
     }
-    for (long long pass = 0; n && (times ? pass < times : list->norder < total); pass++)
+
+    /* The order grows, and `texts` may lie in it. */
+    memcpy(text, texts.text, (size_t)n * sizeof *text);
+    for (long long pass = 0; times ? pass < times : list->norder < total; pass++)
         for (int i = 0; i < n && (times || list->norder < total); i++) {
-            check_side(list, list->label[label[i]], list->norder);
-            if (list->failed || !append(list, list->label[label[i]]))
+            check_side(list, text[i], list->norder);
+            if (list->failed || !append(list, text[i]))
                 return;
         }
+    remember_label(list);
 }
 
 bool rows_finish(struct row_list *list)

@@ -60,14 +60,14 @@ enum width_from { WIDTH_CAST_ON, WIDTH_MULTIPLE, WIDTH_ASKED, WIDTH_ROWS };
 struct row_list *rows_new(struct arena *, struct diag *);
 bool rows_any(const struct row_list *);
 
-/* Adds a text at the row numbers given (n of them; none: the next row). */
-void rows_add(struct row_list *, struct row_text *, const int *label, int n);
+/* Adds a text at a row number. */
+void rows_add(struct row_list *, struct row_text *, int label);
 
 /* Works the rows given so far. */
 void rows_work(struct row_list *);
 
-/* Works a row before row 1, which has no number. */
-void rows_set_up(struct row_list *, struct row_text *);
+/* Works a row that has no number: a set-up row, one of `knit 4 rows`. */
+void rows_add_next(struct row_list *, struct row_text *);
 
 /* `all WS rows`: the text of every row of a kind that has none of its own. */
 void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first);
@@ -75,11 +75,24 @@ void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first);
 /* The text of a row already given, or NULL. */
 const struct row_text *rows_find(const struct row_list *, int label);
 
-/* Whether the labels given are the rows worked last, and not twice. */
-bool rows_just_worked(struct row_list *, const int *label, int n);
+/* Rows to be worked again. */
+struct row_texts {
+    struct row_text **text;
+    int               n;
+};
 
-/* Works rows again: the labels given, `times` more, or until there are `total`. */
-void rows_again(struct row_list *, struct span, const int *label, int n, long long times, long long total);
+/* Those with the labels given (false, with a message, where one is missing); the
+ * last n worked; the numbered ones of this part of the pattern, in the order in
+ * which they follow the last one worked, or from the first. */
+bool rows_labelled(struct row_list *, struct span, const int *label, int n, struct row_texts *);
+struct row_texts rows_last(struct row_list *, int n);
+struct row_texts rows_pattern(struct row_list *, bool going_on);
+
+/* Whether these are the rows worked last, and not twice. */
+bool rows_just_worked(const struct row_list *, struct row_texts);
+
+/* Works rows again: `times` more, or until there are `total`. */
+void rows_again(struct row_list *, struct span, struct row_texts, long long times, long long total);
 
 /* Closes the list: fills the gaps, decides the sides. False after an error. */
 bool rows_finish(struct row_list *);
@@ -89,7 +102,6 @@ bool rows_good(const struct row_list *);
 
 bool rows_round(const struct row_list *);
 int rows_count(const struct row_list *);
-int rows_last_label(const struct row_list *);
 
 /* The widths all rows fit; reports rows that contradict each other. */
 bool rows_fit(const struct row_list *, struct fit *);

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * The scanner's ordinary C: token texts in, values out; brackets and line ends. */
 #include "lang/scanner.h"
+
+#include "lang/prose.h"
 #include "lang/syntax.h"
 
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -181,8 +184,33 @@ void scanner_round(KNIT_STYPE *value, const char *text)
 
 void scanner_side(KNIT_STYPE *value, const char *text)
 {
-    text += strspn(text, "([ \t\f\v");
+    while (*text && !strchr("rRwW", *text))
+        text++;
     value->side = tolower((unsigned char)*text) == 'r' ? SIDE_RS : SIDE_WS;
+}
+
+/* "starting with a purl row", "beg on a WS row": knit rows are of the right side. */
+void scanner_starting(KNIT_STYPE *value, const char *text)
+{
+    static const char *const wrong[] = {"p", "purl", "ws", "wrong"};
+
+    value->side = SIDE_RS;
+    for (; *text; text += strcspn(text, " \t\f\v"), text += strspn(text, " \t\f\v"))
+        for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+            if (is_word(text, word_length(text), wrong[i]))
+                value->side = SIDE_WS;
+}
+
+int scanner_edge(struct scanner *scanner, KNIT_STYPE *value, const char *text)
+{
+    char name[32];
+
+    scanner_number_word(value, text);
+    if (isdigit((unsigned char)*text))
+        value->number.value = strtod(text, NULL);
+    snprintf(name, sizeof name, "k%.0f", fmin(value->number.value, 999999));
+    value->text = names_intern(scanner->parse->names, name, strlen(name));
+    return scanner_token(scanner, TOKEN_NAME);
 }
 
 /* "an even number of", "any number of". */
@@ -231,7 +259,7 @@ void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span
     static const struct {
         const char *first;
         enum fabric_kind kind;
-    } fabrics[] = {{"garter", FABRIC_GARTER}, {"rev", FABRIC_REVERSE}, {"st", FABRIC_STOCKINETTE},
+    } fabrics[] = {{"garter", FABRIC_GARTER}, {"g ", FABRIC_GARTER}, {"rev", FABRIC_REVERSE}, {"st", FABRIC_STOCKINETTE},
                    {"seed", FABRIC_SEED},     {"moss", FABRIC_SEED}};
 
     value->fabric = rib_of(text);
@@ -327,6 +355,8 @@ static enum bracket brace_of(const struct scanner *scanner, bool in_expression)
     case TOKEN_MULTIPLE_OF:
     case TOKEN_REPEAT_ROWS:
     case TOKEN_REPEAT_LAST:
+    case TOKEN_REPEAT_THEM:
+    case TOKEN_GO_ON_ROWS:
         return BRACKET_HOLE;
     default:
         return BRACKET_SETTINGS;
@@ -441,9 +471,9 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
     static const char *const words[] = {"st", "sts", "stitch", "stitches", "to", "across", "last", "end", "ending", "from"};
     size_t length = word_length(text);
 
-    /* `rep from *`, `rep to end`; not `repeat for pattern`. */
+    /* `rep from *`, `rep to end`; not `repeat for pattern`, `rep 1st and 2nd rows`. */
     if (is_word(text, length, "rep") || is_word(text, length, "repeat"))
-        return !is_word(text + length + 1, word_length(text + length + 1), "for");
+        return !prose_repeats_rows(text + length);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (is_word(text, length, words[i]))
             return true;
@@ -451,7 +481,7 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
            scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL;
 }
 
-bool scanner_ends_line(struct scanner *scanner, bool in_row)
+bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
 {
     const char *next = SCANNER_TEXT(scanner);
     bool open = scanner->nopen && is_in_line(scanner->open[scanner->nopen - 1].kind);
@@ -468,7 +498,7 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row)
         return false;
     if (!scanner->statement)
         return true;
-    return !goes_on(scanner->previous) && !(*next && strchr("?:*/+-&|<>=", *next));
+    return !goes_on(scanner->previous) && !(in_expression ? strchr("?:*/+-&|<>=", *next) != NULL : *next == '=');
 }
 
 bool scanner_end_line(struct scanner *scanner)

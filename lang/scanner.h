@@ -79,6 +79,10 @@ void scanner_lower(struct scanner *, KNIT_STYPE *, const char *text, size_t leng
 void scanner_number_word(KNIT_STYPE *, const char *text);
 void scanner_round(KNIT_STYPE *, const char *text);
 void scanner_side(KNIT_STYPE *, const char *text);
+void scanner_starting(KNIT_STYPE *, const char *text);
+
+/* `1 edge st`: so many knit stitches. */
+int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);
 void scanner_all(KNIT_STYPE *, const char *text);
 
 /* Brackets: what kind was opened; the register to go back to, 0 behind a block,
@@ -87,7 +91,7 @@ enum bracket scanner_open(struct scanner *, struct span, char, int state, bool i
 int scanner_close(struct scanner *, char);
 
 /* Whether a line end here ends the statement. */
-bool scanner_ends_line(struct scanner *, bool in_row);
+bool scanner_ends_line(struct scanner *, bool in_row, bool in_expression);
 
 /* Ends it: forgets open brackets within the line; true inside a block of keys. */
 bool scanner_end_line(struct scanner *);

@@ -7,7 +7,10 @@
 #include <strings.h>
 
 #include "lang/limits.h"
+#include "lang/refused.h"
 #include "lang/scanner.h"
+
+enum { LIMIT_REFUSED = 1000 };      /* bytes of a row that are looked at for it */
 
 const char *const statement_word[] = {
     "knit",     "use",     "let",    "param", "stitch", "motif", "swatch",   "gauge",
@@ -82,13 +85,25 @@ static const char *found_text(struct parse *parse, struct span span, const char 
     return arena_printf(parse->arena, "'%.*s'", (int)length, span.source->text + span.start);
 }
 
+/* What cannot be read in a row is often a part of what cannot be knitted there. */
+static bool refused_row(struct parse *parse, struct span span)
+{
+    int statement = parse->scanner->statement;
+    struct span line = diag_line_around(span);
+
+    if (statement != TOKEN_ROW && statement != TOKEN_ALL && statement != TOKEN_SETUP && statement != TOKEN_AS_ROW)
+        return false;
+    line.end = line.end > line.start + LIMIT_REFUSED ? line.start + LIMIT_REFUSED : line.end;
+    return refused_text(parse->diag, line);
+}
+
 void syntax_error(struct parse *parse, struct span span, const char *found, const char *const *expected,
                   int n)
 {
     char *list = arena_copy(parse->arena, "", 0);
     bool at_end = found && strncmp(found, "the end", 7) == 0;
 
-    if (parse->scanner->quiet)
+    if (parse->scanner->quiet || refused_row(parse, span))
         return;
     if (!at_end && begins_statement(span) && n == 0) {
         no_statement(parse, span);
@@ -203,10 +218,23 @@ struct row syntax_plain_rows(struct parse *parse, struct span all, struct span w
     return row;
 }
 
-struct row syntax_fabric(struct span all, struct fabric fabric, struct expr *count, enum side round)
+struct row syntax_fabric(struct span all, struct fabric fabric, struct expr *count, enum side round, enum side starting)
 {
     return (struct row){.round = round == SIDE_RS, .count = count, .head = all, .body = BODY_FABRIC, .body_span = all,
-                        .fabric = fabric};
+                        .fabric = fabric, .starting = starting};
+}
+
+struct row syntax_total(struct row row)
+{
+    row.total = true;
+    return row;
+}
+
+struct expr *syntax_two_rows(struct parse *parse, struct span span)
+{
+    diag_warning(parse->diag, CODE_REPEAT_NO_COUNT, span, "how many rows these are is not said: two");
+    diag_hint(parse->diag, "`Work 20 rows in garter st`, or `Knit 20 rows`");
+    return expr_number(parse, span, 2, 0);
 }
 
 struct row syntax_row(struct parse *parse, struct row head, struct span head_span, struct row body, struct span body_span)
@@ -223,9 +251,33 @@ struct row syntax_row(struct parse *parse, struct row head, struct span head_spa
 
 struct again syntax_again(struct row_numbers *numbers, struct expr *last, struct again again)
 {
+    again.which = last ? AGAIN_LAST : AGAIN_NUMBERS;
     again.numbers = numbers;
     again.last = last;
     return again;
+}
+
+struct again syntax_go_on(struct span span, struct expr *count)
+{
+    const char *text = span.source->text + span.start;
+    bool total = false;
+
+    for (size_t n = span.end - span.start; n > 5; n--, text++)
+        total |= strncasecmp(text, "until", 5) == 0 || strncasecmp(text, "till ", 5) == 0 || strncasecmp(text, "total", 5) == 0;
+    return (struct again){.which = AGAIN_GO_ON, .kind = total ? AGAIN_UNTIL_ROWS : AGAIN_ROWS, .n = count};
+}
+
+/* "then row 1": once, where nothing is said. */
+struct again *syntax_then(struct parse *parse, struct span span, struct row_numbers *numbers, struct again again)
+{
+    struct again *then = arena_new(parse->arena, struct again);
+
+    *then = syntax_again(numbers, NULL, again);
+    if (then->kind == AGAIN_PATTERN && !then->n) {
+        then->kind = AGAIN_TIMES;
+        then->n = expr_number(parse, span, 1, 0);
+    }
+    return then;
 }
 
 /* `Work rows 1-4 three times` right behind them is three times in all. */

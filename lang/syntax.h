@@ -19,7 +19,9 @@ struct row syntax_head(struct parse *, enum side round, enum side, struct row_nu
 /* Rows without numbers: "knit 4 rows" (no count: every row), "work 6 rows in st st". */
 struct row syntax_plain_rows(struct parse *, struct span, struct span word, const char *stitch, struct expr *count,
                              enum side round);
-struct row syntax_fabric(struct span, struct fabric, struct expr *count, enum side round);
+struct row syntax_fabric(struct span, struct fabric, struct expr *count, enum side round, enum side starting);
+struct row syntax_total(struct row);                                /* so many in all */
+struct expr *syntax_two_rows(struct parse *, struct span);          /* how many is not said: warns */
 
 /* `k1, p1, rep to end`: all that stands before is what is repeated. Warns. */
 struct item *syntax_whole(struct parse *, struct span, struct item *, struct until, struct item *tail);
@@ -31,5 +33,7 @@ void syntax_goes_on(struct parse *, struct span);
 struct row syntax_row(struct parse *, struct row head, struct span head_span, struct row body, struct span body_span);
 struct again syntax_work_again(struct parse *, struct span, struct row_numbers *, struct again);
 struct again syntax_again(struct row_numbers *, struct expr *last, struct again);
+struct again syntax_go_on(struct span, struct expr *count);
+struct again *syntax_then(struct parse *, struct span, struct row_numbers *, struct again);
 
 #endif

@@ -1,109 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * A word of row text in, a stitch and a count out; stitches that version 1
- * cannot knit are refused by their names. */
+ * A word of row text in, a stitch and a count out. */
 #include "lang/vocabulary.h"
+
+#include "lang/refused.h"
 
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-/* '#' stands for digits, '*' for anything to the end. */
-static const struct refused {
-    const char *word;
-    const char *what;
-} refused[] = {
-    {"k#tog*", "a decrease"},
-    {"p#tog*", "a decrease"},
-    {"ssk", "a decrease"},
-    {"sssk", "a decrease"},
-    {"ssp", "a decrease"},
-    {"skp*", "a decrease"},
-    {"sk#p*", "a decrease"},
-    {"s#kp*", "a decrease"},
-    {"cdd", "a decrease"},
-    {"dec*", "a decrease"},
-    {"tog", "a decrease"},
-    {"psso*", "a decrease"},
-    {"yo", "an increase"},
-    {"yo#", "an increase"},
-    {"yfwd", "an increase"},
-    {"yf", "an increase"},
-    {"yrn", "an increase"},
-    {"yon", "an increase"},
-    {"m#", "an increase"},
-    {"m#l", "an increase"},
-    {"m#r", "an increase"},
-    {"m#p*", "an increase"},
-    {"kfb", "an increase"},
-    {"kf&b", "an increase"},
-    {"pfb", "an increase"},
-    {"kfbf", "an increase"},
-    {"inc*", "an increase"},
-    {"lli", "an increase"},
-    {"rli", "an increase"},
-    {"sl", "a slipped stitch"},
-    {"sl#*", "a slipped stitch"},
-    {"slip*", "a slipped stitch"},
-    {"s#", "a slipped stitch"},
-    {"wyif", "a slipped stitch"},
-    {"wyib", "a slipped stitch"},
-    {"ktbl", "a twisted stitch"},
-    {"k#tbl", "a twisted stitch"},
-    {"k#-tbl", "a twisted stitch"},
-    {"ptbl", "a twisted stitch"},
-    {"p#tbl", "a twisted stitch"},
-    {"tbl", "a twisted stitch"},
-    {"k#b", "a stitch into the row below"},
-    {"c#f*", "a cable"},
-    {"c#b*", "a cable"},
-    {"c#l*", "a cable"},
-    {"c#r*", "a cable"},
-    {"t#f*", "a cable"},
-    {"t#b*", "a cable"},
-    {"t#l", "a cable"},
-    {"t#r", "a cable"},
-    {"tw#*", "a cable"},
-    {"cr#*", "a cable"},
-    {"rt", "a cable"},
-    {"lt", "a cable"},
-    {"cable*", "a cable"},
-    {"cn", "a cable"},
-    {"#/#*", "a cable"},
-    {"mb", "a bobble"},
-    {"bobble*", "a bobble"},
-    {"bo", "binding off"},
-    {"bo#", "binding off"},
-    {"bind", "binding off"},
-    {"cast", "casting on or off"},
-    {"drop*", "a dropped stitch"},
-    {"w&t", "a short row"},
-    {"wrap*", "a short row"},
-};
-
-static bool matches(const char *pattern, const char *word)
-{
-    for (; *pattern; pattern++) {
-        if (*pattern == '*')
-            return true;
-        if (*pattern == '#') {
-            if (!isdigit((unsigned char)*word))
-                return false;
-            word += strspn(word, "0123456789");
-        } else if (tolower((unsigned char)*word++) != *pattern) {
-            return false;
-        }
-    }
-    return !*word;
-}
-
-static const char *refused_as(const char *word)
-{
-    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
-        if (matches(refused[i].word, word))
-            return refused[i].what;
-    return NULL;
-}
 
 /* Knit and purl in all the ways they are written. */
 static const struct {
@@ -147,24 +51,24 @@ static bool find(const struct eval *eval, const struct module *module, const cha
 
 static void unknown(struct eval *eval, const struct module *module, const char *word, struct span span)
 {
-    const char *what = refused_as(word);
     struct nearest nearest = nearest_to(word);
 
     span.end = span.start + (unsigned)strlen(word);
-    if (what) {
-        diag_error(eval->diag, CODE_SHAPING, span,
-                   "'%s' (%s) changes the stitch count or the topology; version 1 handles knit and purl (and "
-                   "your own "
-                   "plain stitches)",
-                   word, what);
+    if (refused_word(eval->diag, word, span)) {
+        eval->refused = diag_line_around(span);
         return;
     }
+
     for (int i = 0; i < PLAIN; i++)
         nearest_offer(&nearest, plain[i].word);
     for (const struct binding *b = module->first; b; b = b->after)
         if (binding_target((struct binding *)b) &&
             binding_target((struct binding *)b)->kind == BINDING_STITCH)
             nearest_offer(&nearest, b->name);
+
+    /* What else stands in a row that cannot be knitted goes with it. */
+    if (!nearest.best && eval->refused.source == span.source && span.start >= eval->refused.start && span.start < eval->refused.end)
+        return;
     diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
     diag_did_you_mean(eval->diag, nearest.best);
     if (!nearest.best)

@@ -55,6 +55,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/prose.knit \
     tests/golden/prose_width.knit \
     tests/golden/repeat_no_count.knit \
+    tests/golden/refused.knit \
+    tests/golden/second_part.knit \
     tests/golden/rows.knit \
     tests/golden/settings.knit \
     tests/golden/sweep.knit \
@@ -91,6 +93,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/prose.expected \
     tests/golden/prose_width.expected \
     tests/golden/repeat_no_count.expected \
+    tests/golden/refused.expected \
+    tests/golden/second_part.expected \
     tests/golden/rows.expected \
     tests/golden/settings.expected \
     tests/golden/sweep.expected \
