@@ -32,7 +32,7 @@ enum { SAMPLES_DEFAULT = 2, SAMPLES_PICTURE = 4 };
 
 /* When: of a writer, all its times; of an occasion, one.  Final: a fold that did
  * not fail; record: any fold, once it has ended. */
-enum due { DUE_CHART = 1, DUE_STEP = 2, DUE_FINAL = 4, DUE_RECORD = 8, DUE_REPORT = 16 };
+enum due { DUE_CHART = 1, DUE_STEP = 2, DUE_FINAL = 4, DUE_RECORD = 8, DUE_REPORT = 16, DUE_STOPPED = 32 };
 
 /* What is known when outputs are due: the members that make sense then. */
 struct occasion {
@@ -44,7 +44,7 @@ struct occasion {
 };
 
 typedef bool write_output(struct outputs *outputs, int index, const struct occasion *now);
-static write_output write_report, write_chart, write_step, write_mesh, write_page, write_growth;
+static write_output write_report, write_chart, write_step, write_mesh, write_glb, write_page, write_growth;
 
 static const struct writer {
     enum output_kind kind;
@@ -65,11 +65,11 @@ static const struct writer {
     {OUTPUT_OBJ,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_PLY,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_STL,    NULL,   DUE_FINAL,  write_mesh},
-    {OUTPUT_GLB,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_PICTURE, NULL,  DUE_FINAL,  write_mesh},
     {OUTPUT_PLOT,   NULL,   DUE_RECORD, write_growth},
     {OUTPUT_TABLE,  NULL,   DUE_RECORD, write_growth},
-    {OUTPUT_HTML,   NULL,   DUE_STEP | DUE_FINAL, write_page},
+    {OUTPUT_GLB,    NULL,   DUE_STEP | DUE_FINAL | DUE_STOPPED, write_glb},
+    {OUTPUT_HTML,   NULL,   DUE_STEP | DUE_FINAL | DUE_STOPPED, write_page},
 };
 enum { NWRITERS = sizeof writers / sizeof writers[0] };
 
@@ -118,10 +118,10 @@ enum status outputs_check_chart(struct chart_file chart, const struct scene *sce
 
 /* ---- before any work ---- */
 
-static void print_place(const struct scene *scene, const struct output *output)
+static void print_place(const struct scene *scene, const struct output *output, const char *severity)
 {
     if (output->line > 0)
-        fprintf(stderr, "%s:%d: error: ", scene->file, output->line);
+        fprintf(stderr, "%s:%d: %s: ", scene->file, output->line, severity);
     else
         fprintf(stderr, "weft: -o %s: ", output->path);
 }
@@ -136,7 +136,7 @@ static enum status check_kind(const struct scene *scene, const struct output *ou
 {
     if (find_writer(output->kind, output->path))
         return STATUS_DONE;
-    print_place(scene, output);
+    print_place(scene, output, "error");
     fprintf(stderr, "this weft cannot write the %s '%s'; it can write:", output_kind_name(output->kind), output->path);
     for (const struct writer *w = writers; w < writers + NWRITERS; w++)
         fprintf(stderr, "%s %s%s%s%s", w == writers ? "" : ",", output_kind_name(w->kind), w->extension ? " (" : "",
@@ -145,29 +145,31 @@ static enum status check_kind(const struct scene *scene, const struct output *ou
     return status_of(output);
 }
 
-/* A kind that this binary could write had it been built with all. */
-static enum status check_built(const struct scene *scene, const struct output *output)
+/* A kind that this binary could write had it been built with all.  A script that
+ * asks for it among others is still good, and goes without. */
+static enum status check_built(const struct outputs *outputs, const struct output *output)
 {
+    bool bad = output->line == 0 || outputs->strict;
     if (output->kind != OUTPUT_HTML || page_is_there())
         return STATUS_DONE;
-    print_place(scene, output);
+    print_place(outputs->scene, output, bad ? "error" : "warning");
     fprintf(stderr, "this weft cannot write the page '%s': npm or its registry was missing when it was built "
                     "(README.md, 'The page')\n", output->path);
-    return status_of(output);
+    return bad ? status_of(output) : STATUS_DONE;
 }
 
 static enum status check_path(struct outputs *outputs, const struct output *output)
 {
     if (file_check(&outputs->log, output->path))
         return STATUS_DONE;
-    print_place(outputs->scene, output);
+    print_place(outputs->scene, output, "error");
     fprintf(stderr, "%s\n", outputs->log.error ? outputs->log.error : "out of memory");
     return STATUS_FILES;
 }
 
 enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
 {
-    *outputs = (struct outputs){.scene = scene, .log.into = outputs->log.into};
+    *outputs = (struct outputs){.scene = scene, .strict = outputs->strict, .log.into = outputs->log.into};
     outputs->pvd = calloc((size_t)scene->noutputs + 1, sizeof *outputs->pvd);
     outputs->glb = calloc((size_t)scene->noutputs + 1, sizeof *outputs->glb);
     outputs->page = calloc((size_t)scene->noutputs + 1, sizeof *outputs->page);
@@ -179,7 +181,7 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
         if (status == STATUS_DONE)
             status = outputs_check_chart((struct chart_file){output->kind, output->path, output->chart}, scene);
         if (status == STATUS_DONE)
-            status = check_built(scene, output);
+            status = check_built(outputs, output);
         if (status == STATUS_DONE && !outputs_of_sweep(scene, i))
             status = check_path(outputs, output);
         if (status != STATUS_DONE)
@@ -188,7 +190,7 @@ enum status outputs_begin(struct outputs *outputs, const struct scene *scene)
             outputs->pvd[i] = pvd_begin(&outputs->log, output->path, scene, output->format);
         if (output->kind == OUTPUT_GLB)
             outputs->glb[i] = glb_begin(scene);
-        if (output->kind == OUTPUT_HTML)
+        if (output->kind == OUTPUT_HTML && page_is_there())
             outputs->page[i] = page_begin(scene);
     }
     return STATUS_DONE;
@@ -305,7 +307,6 @@ static bool write_mesh(struct outputs *outputs, int index, const struct occasion
     case OUTPUT_OBJ: done = obj_write(log, output->path, scene, &surface); break;
     case OUTPUT_PLY: done = ply_write(log, output->path, scene, &surface); break;
     case OUTPUT_STL: done = stl_write(log, output->path, &surface); break;
-    case OUTPUT_GLB: done = glb_write(&outputs->glb[index], log, output->path, &surface); break;
     case OUTPUT_PICTURE: done = portrait_write(log, output, scene, &surface); break;
     default: break;
     }
@@ -320,7 +321,6 @@ static bool write_growth(struct outputs *outputs, int index, const struct occasi
                                        : growth_table(&outputs->log, output->path, now->record);
 }
 
-/* What is written in the end, but has to be collected on the way. */
 static bool keep_step(struct outputs *outputs, int index, const struct occasion *now)
 {
     struct glb *glb = &outputs->glb[index];
@@ -334,12 +334,28 @@ static bool keep_step(struct outputs *outputs, int index, const struct occasion 
     return done;
 }
 
-/* Gathers the steps; the page is written with the last. */
+/* The next two gather the steps, and are written in the end. */
+static bool write_glb(struct outputs *outputs, int index, const struct occasion *now)
+{
+    const struct glb *glb = &outputs->glb[index];
+    const char *path = outputs->scene->output[index].path;
+    if (now->due == DUE_STEP)
+        return keep_step(outputs, index, now);
+    if (now->due == DUE_STOPPED)
+        return glb->nsteps == 0 || glb_write(glb, &outputs->log, path, NULL);
+    struct surface surface = sample(outputs->scene, index, now->state);
+    bool done = glb_write(glb, &outputs->log, path, &surface);
+    surface_free(&surface);
+    return done;
+}
+
 static bool write_page(struct outputs *outputs, int index, const struct occasion *now)
 {
     struct page *page = outputs->page[index];
-    if (now->due == DUE_FINAL)
-        return page_write(page, &outputs->log, outputs->scene->output[index].path, now->record);
+    if (!page)
+        return true;
+    if (now->due != DUE_STEP)
+        return page_nsteps(page) == 0 || page_write(page, &outputs->log, outputs->scene->output[index].path, now->record);
     if (page_wants(page, now->step)) {
         struct surface surface = sample(outputs->scene, index, now->state);
         page_add(page, now->step, &surface);
@@ -358,8 +374,6 @@ static bool write_due(struct outputs *outputs, const struct occasion *now)
         const struct writer *writer = find_writer(output->kind, output->path);
         if (writer->due & now->due && !outputs_of_sweep(outputs->scene, i))
             done = writer->write(outputs, i, now);
-        else if (now->due == DUE_STEP && output->kind == OUTPUT_GLB)
-            done = keep_step(outputs, i, now);
     }
     outputs->write_s += progress_clock() - begun;
     return done;
@@ -378,6 +392,17 @@ bool outputs_step(struct outputs *outputs, const struct fold_step *step, const s
 bool outputs_final(struct outputs *outputs, const struct fold_state *state, const struct fold_record *record)
 {
     return write_due(outputs, &(struct occasion){.due = DUE_FINAL, .state = state, .record = record});
+}
+
+bool outputs_stopped(struct outputs *outputs)
+{
+    return write_due(outputs, &(struct occasion){.due = DUE_STOPPED});
+}
+
+bool outputs_kept(const struct outputs *outputs, int index)
+{
+    const struct output *output = &outputs->scene->output[index];
+    return (find_writer(output->kind, output->path)->due & DUE_STEP) && file_log_find(&outputs->log, output->path);
 }
 
 bool outputs_report(struct outputs *outputs, struct report *report)

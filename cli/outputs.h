@@ -16,13 +16,14 @@ struct outputs {
     struct file_log     log;
     struct pvd         *pvd;        /* (scene->noutputs), begun where the output is a collection */
     struct glb         *glb;        /* (scene->noutputs), begun where the output is one */
-    struct page       **page;       /* (scene->noutputs), begun where the output is a page */
+    struct page       **page;       /* (scene->noutputs), begun where the output is a page and this weft has it */
+    bool                strict;     /* warnings are errors */
     double              write_s;    /* wall seconds so far */
 };
 
 /* Sees to it, before any work is done, that every output can be written: its
- * kind is there, its folder takes files.  log.into may be set before.  Says on standard error what does not
- * fit.  Free with outputs_end in any case. */
+ * kind is there, its folder takes files.  log.into and strict may be set before.  Says on
+ * standard error what does not fit.  Free with outputs_end in any case. */
 enum status outputs_begin(struct outputs *outputs, const struct scene *scene);
 void        outputs_end(struct outputs *outputs);
 
@@ -30,10 +31,14 @@ void        outputs_end(struct outputs *outputs);
 bool outputs_chart(struct outputs *outputs);
 bool outputs_step(struct outputs *outputs, const struct fold_step *step, const struct fold_state *state);
 bool outputs_final(struct outputs *outputs, const struct fold_state *state, const struct fold_record *record);
+bool outputs_stopped(struct outputs *outputs);
 bool outputs_report(struct outputs *outputs, struct report *report);
 
 /* Plots and tables in a script with a sweep are of the sweep, not of its runs. */
 bool outputs_of_sweep(const struct scene *scene, int index);
+
+/* Was something written of an output that the growth steps go into? */
+bool outputs_kept(const struct outputs *outputs, int index);
 
 /* Growth steps a collection has so far; -1: the output is not a collection. */
 int outputs_steps(const struct outputs *outputs, int index);

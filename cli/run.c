@@ -153,7 +153,7 @@ static enum status stopped(const struct run *run)
     }
     fprintf(stderr, "weft: stopped after %d of %d growth steps", run->progress.done, run->progress.nsteps);
     for (int i = 0; i < run->script.scene->noutputs; i++)
-        if (outputs_steps(&run->outputs, i) > 0)
+        if (outputs_kept(&run->outputs, i))
             fprintf(stderr, "; %s holds what is complete", run->script.scene->output[i].path);
     fprintf(stderr, "%s\n", run->checkpoint.nmarks > 0 ? "; --resume goes on from there" : "");
     return STATUS_FAILED;
@@ -230,6 +230,8 @@ static enum status fold_and_write(struct run *run)
     written = written && !run->outputs.log.error && !interrupt_asked();
     bool folded = written && state && run->record.status != FOLD_FAILED;
     written = written && (!folded || outputs_final(&run->outputs, state, &run->record)) && write_records(run);
+    if (!written && interrupt_asked() && !run->outputs.log.error)
+        outputs_stopped(&run->outputs);
     checkpoint_close(&run->checkpoint, written);
     fold_free(state);
     sheet_free(sheet);
@@ -253,6 +255,7 @@ enum status run_script(struct run *run, const char *path)
     run->begun = progress_clock();
     enum status status = script_load(&run->script, path, run->options);
     run->outputs.log.into = run->into;
+    run->outputs.strict = run->options->warnings;
     if (status == STATUS_DONE)
         note_sweep(run);
     if (status == STATUS_DONE)

@@ -25,16 +25,6 @@ struct glb glb_begin(const struct scene *scene)
     return (struct glb){.scene = scene, .every = (scene->solve.steps + GLB_STEPS - 1) / GLB_STEPS};
 }
 
-void glb_end(struct glb *glb)
-{
-    for (int i = 0; i < glb->nsteps; i++) {
-        free(glb->step[i].position);
-        free(glb->step[i].normal);
-    }
-    free(glb->step);
-    *glb = (struct glb){0};
-}
-
 /* The full growth comes as the folded surface. */
 bool glb_wants(const struct glb *glb, double growth)
 {
@@ -54,6 +44,31 @@ static float *floats_of(const double *value, size_t n)
     return copy;
 }
 
+static struct glb_step step_of(double growth, const struct surface *surface)
+{
+    size_t n = 3 * npoints(surface);
+    return (struct glb_step){growth, floats_of(surface->position, n), floats_of(surface->normal, n)};
+}
+
+static bool is_whole(const struct glb_step *step)
+{
+    return step->position && step->normal;
+}
+
+static void free_step(struct glb_step *step)
+{
+    free(step->position);
+    free(step->normal);
+}
+
+void glb_end(struct glb *glb)
+{
+    for (int i = 0; i < glb->nsteps; i++)
+        free_step(&glb->step[i]);
+    free(glb->step);
+    *glb = (struct glb){0};
+}
+
 bool glb_step(struct glb *glb, double growth, const struct surface *surface)
 {
     bool wanted = glb_wants(glb, growth);
@@ -63,11 +78,10 @@ bool glb_step(struct glb *glb, double growth, const struct surface *surface)
     struct glb_step *steps = realloc(glb->step, (size_t)(glb->nsteps + 1) * sizeof *steps);
     if (!steps)
         return false;
-    size_t n = 3 * npoints(surface);
     glb->step = steps;
-    steps[glb->nsteps] = (struct glb_step){growth, floats_of(surface->position, n), floats_of(surface->normal, n)};
-    glb->nsteps++;
-    return steps[glb->nsteps - 1].position && steps[glb->nsteps - 1].normal;
+    steps[glb->nsteps] = step_of(growth, surface);
+    glb->size = (struct surface){.nx = surface->nx, .ny = surface->ny, .per_stitch = surface->per_stitch};
+    return is_whole(&steps[glb->nsteps++]);
 }
 
 /* ---- vertices ---- */
@@ -138,9 +152,9 @@ static bool split_surface(struct split *split, const struct scene *scene, const 
 /* All that is written, and how far the description of its bytes is. */
 struct writing {
     const struct glb     *glb;
-    const struct surface *surface;
+    int                   nsteps;               /* before the last one */
+    struct glb_step       last;                 /* the folded surface, or how far its growth came */
     struct split          split;
-    float                *position, *normal;    /* of the folded surface (points x 3) */
     cJSON                *root, *views, *accessors;
     size_t                bytes;                /* of the binary chunk so far */
 };
@@ -199,7 +213,7 @@ static void add_shape(struct writing *w, cJSON *attributes, const struct glb_ste
 {
     int number;
     cJSON *accessor = add_array(w, FLOAT, 12, w->split.nvertices, "VEC3", VERTICES, &number);
-    add_bounds(w, accessor, w->position, step ? step->position : NULL);
+    add_bounds(w, accessor, w->last.position, step ? step->position : NULL);
     json_integer(attributes, "POSITION", number);
     add_array(w, FLOAT, 12, w->split.nvertices, "VEC3", VERTICES, &number);
     json_integer(attributes, "NORMAL", number);
@@ -217,10 +231,10 @@ static void add_primitive(struct writing *w, cJSON *mesh)
     cJSON *colours = add_array(w, BYTE_UNSIGNED, 4, w->split.nvertices, "VEC4", VERTICES, &number);
     cJSON_AddBoolToObject(colours, "normalized", true);
     json_integer(attributes, "COLOR_0", number);
-    if (w->glb->nsteps == 0)
+    if (w->nsteps == 0)
         return;
     cJSON *targets = cJSON_AddArrayToObject(primitive, "targets");
-    for (int i = 0; i < w->glb->nsteps; i++) {
+    for (int i = 0; i < w->nsteps; i++) {
         cJSON *target = cJSON_CreateObject();
         add_shape(w, target, &w->glb->step[i]);
         cJSON_AddItemToArray(targets, target);
@@ -233,11 +247,11 @@ static void add_mesh(struct writing *w)
     cJSON_AddItemToArray(cJSON_AddArrayToObject(w->root, "meshes"), mesh);
     json_text(mesh, "name", "swatch");
     add_primitive(w, mesh);
-    if (w->glb->nsteps == 0)
+    if (w->nsteps == 0)
         return;
     cJSON *weights = cJSON_AddArrayToObject(mesh, "weights");
     cJSON *names = cJSON_AddArrayToObject(cJSON_AddObjectToObject(mesh, "extras"), "targetNames");
-    for (int i = 0; i < w->glb->nsteps; i++) {
+    for (int i = 0; i < w->nsteps; i++) {
         char name[NUMBER_TEXT];
         snprintf(name, sizeof name, "growth %.6g", w->glb->step[i].growth);
         cJSON_AddItemToArray(names, cJSON_CreateString(name));
@@ -245,10 +259,16 @@ static void add_mesh(struct writing *w)
     }
 }
 
+/* The time of a step, as a 32-bit float. */
+static double seconds(const struct glb_step *step)
+{
+    return (double)(float)(SECONDS * step->growth);
+}
+
 /* At each step's time its target has weight 1; at the end none has. */
 static void add_animation(struct writing *w)
 {
-    size_t nkeys = (size_t)w->glb->nsteps + 1;
+    size_t nkeys = (size_t)w->nsteps + 1;
     if (nkeys == 1)
         return;
     cJSON *animation = cJSON_CreateObject(), *sampler = cJSON_CreateObject(), *channel = cJSON_CreateObject();
@@ -258,8 +278,8 @@ static void add_animation(struct writing *w)
     cJSON_AddItemToArray(cJSON_AddArrayToObject(animation, "samplers"), sampler);
     cJSON_AddItemToArray(cJSON_AddArrayToObject(animation, "channels"), channel);
     cJSON *times = add_array(w, FLOAT, 4, nkeys, "SCALAR", 0, &number);
-    add_number(cJSON_AddArrayToObject(times, "min"), (double)(float)(SECONDS * w->glb->step[0].growth));
-    add_number(cJSON_AddArrayToObject(times, "max"), SECONDS);
+    add_number(cJSON_AddArrayToObject(times, "min"), seconds(&w->glb->step[0]));
+    add_number(cJSON_AddArrayToObject(times, "max"), seconds(&w->last));
     json_integer(sampler, "input", number);
     add_array(w, FLOAT, 4, nkeys * (nkeys - 1), "SCALAR", 0, &number);
     json_integer(sampler, "output", number);
@@ -342,15 +362,15 @@ static void write_colours(struct file *file, const struct writing *w)
     }
 }
 
-static void write_animation(struct file *file, const struct glb *glb)
+static void write_animation(struct file *file, const struct writing *w)
 {
-    if (glb->nsteps == 0)
+    if (w->nsteps == 0)
         return;
-    for (int i = 0; i < glb->nsteps; i++)
-        little_f32(file, (float)(SECONDS * glb->step[i].growth));
-    little_f32(file, (float)SECONDS);
-    for (int key = 0; key <= glb->nsteps; key++)
-        for (int i = 0; i < glb->nsteps; i++)
+    for (int i = 0; i < w->nsteps; i++)
+        little_f32(file, (float)seconds(&w->glb->step[i]));
+    little_f32(file, (float)seconds(&w->last));
+    for (int key = 0; key <= w->nsteps; key++)
+        for (int i = 0; i < w->nsteps; i++)
             little_f32(file, i == key);
 }
 
@@ -358,14 +378,14 @@ static void write_arrays(struct file *file, const struct writing *w)
 {
     for (size_t i = 0; i < w->split.nindices; i++)
         little_u32(file, w->split.index[i]);
-    write_vectors(file, w, w->position, NULL);
-    write_vectors(file, w, w->normal, NULL);
+    write_vectors(file, w, w->last.position, NULL);
+    write_vectors(file, w, w->last.normal, NULL);
     write_colours(file, w);
-    for (const struct glb_step *step = w->glb->step; step < w->glb->step + w->glb->nsteps; step++) {
-        write_vectors(file, w, w->position, step->position);
-        write_vectors(file, w, w->normal, step->normal);
+    for (const struct glb_step *step = w->glb->step; step < w->glb->step + w->nsteps; step++) {
+        write_vectors(file, w, w->last.position, step->position);
+        write_vectors(file, w, w->last.normal, step->normal);
     }
-    write_animation(file, w->glb);
+    write_animation(file, w);
 }
 
 /* Header and both chunks; the JSON is filled up with blanks to a multiple of four. */
@@ -394,17 +414,16 @@ static bool write_file(struct file_log *log, const char *path, const struct writ
 
 bool glb_write(const struct glb *glb, struct file_log *log, const char *path, const struct surface *surface)
 {
-    size_t n = 3 * npoints(surface);
-    struct writing w = {.glb = glb, .surface = surface, .position = floats_of(surface->position, n),
-                        .normal = floats_of(surface->normal, n)};
-    bool enough = split_surface(&w.split, glb->scene, surface) && w.position && w.normal;
+    struct writing w = {.glb = glb, .nsteps = surface ? glb->nsteps : glb->nsteps - 1,
+                        .last = surface ? step_of(1, surface) : glb->step[glb->nsteps - 1]};
+    bool enough = split_surface(&w.split, glb->scene, surface ? surface : &glb->size) && is_whole(&w.last);
     char *json = enough ? describe(&w) : NULL;
     if (!json)
         file_fail(log, "out of memory");
     bool done = json && write_file(log, path, &w, json);
     cJSON_free(json);
     split_free(&w.split);
-    free(w.position);
-    free(w.normal);
+    if (surface)
+        free_step(&w.last);
     return done;
 }

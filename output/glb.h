@@ -23,6 +23,7 @@ struct glb {
     int                 nseen;  /* steps so far */
     int                 nsteps;
     struct glb_step    *step;   /* (nsteps) owned */
+    struct surface      size;   /* of the steps: a surface without its arrays */
 };
 
 struct glb glb_begin(const struct scene *scene);
@@ -37,11 +38,12 @@ bool glb_step(struct glb *glb, double growth, const struct surface *surface);
 
 /* Writes the folded surface, sampled as the steps were: triangles, seen from
  * the right side, 32-bit floats.  Each kind of stitch has vertices of its own,
- * so that colours (COLOR_0, linear) do not run into each other.  The steps are
- * morph targets, called "growth 0.1", and the animation "growth" goes through
- * them to the folded surface in SECONDS; without it the folded surface shows.
- * Lost, and said so in the asset's extras: rows, columns, curvatures, energies,
- * digits beyond the seventh.  false: see log->error. */
+ * so that colours (COLOR_0, linear, of the right side) do not run into each
+ * other.  The steps are morph targets, called "growth 0.1", and the animation
+ * "growth" goes through them to the folded surface in SECONDS; without it the
+ * folded surface shows.  surface NULL: the run was stopped, its last step (there
+ * must be one) takes that place.  Lost, and said so in the asset's extras: rows,
+ * columns, curvatures, energies, digits beyond the seventh.  false: see log->error. */
 bool glb_write(const struct glb *glb, struct file_log *log, const char *path, const struct surface *surface);
 
 #endif

@@ -6,9 +6,12 @@
 #include "output/page.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "drawing/colours.h"
+#include "output/field.h"
 #include "output/json.h"
 #include "output/page_pack.h"
 
@@ -16,9 +19,19 @@
  * Without npm there are none. */
 extern const char *const page_template[];
 
-enum field { FIELD_X, FIELD_Y, FIELD_Z, FIELD_MEAN, FIELD_GAUSS, FIELD_BENDING, FIELD_STRETCHING, NFIELDS };
+enum channel { CHANNEL_X, CHANNEL_Y, CHANNEL_Z, CHANNEL_MEAN, CHANNEL_GAUSS, CHANNEL_BENDING, CHANNEL_STRETCHING, NCHANNELS };
 
-static const char *const field_name[NFIELDS] = {"x", "y", "z", "mean", "gauss", "bending", "stretching"};
+static const char *const channel_name[NCHANNELS] = {"x", "y", "z", "mean", "gauss", "bending", "stretching"};
+
+/* What the fold can be coloured by besides its stitches. */
+enum { COLORINGS = COLOR_STRETCHING + 1, SCALE_STOPS = 33 };
+
+static const char *const coloring_name[COLORINGS] = {
+    [COLOR_HEIGHT] = "height", [COLOR_MEAN] = "mean", [COLOR_GAUSS] = "gauss",
+    [COLOR_BENDING] = "bending", [COLOR_STRETCHING] = "stretching",
+};
+static const char *const palette_name[] = {"paper", "safe"};
+static const char *const scale_name[] = {[COLOURS_SEQUENTIAL] = "sequential", [COLOURS_DIVERGING] = "diverging"};
 
 struct page {
     const struct scene *scene;
@@ -26,7 +39,8 @@ struct page {
     int                 stride, nseen;      /* of the steps seen, every stride-th is kept */
     int                 nsteps;
     struct fold_step   *step;               /* (nsteps) */
-    float              *value[NFIELDS];     /* (nsteps x points or cells) */
+    float              *value[NCHANNELS];   /* (nsteps x points or cells) */
+    struct field        range[COLORINGS];   /* of the last step, from COLOR_HEIGHT on; without values */
 };
 
 bool page_is_there(void)
@@ -59,7 +73,7 @@ void page_end(struct page *page)
 {
     if (!page)
         return;
-    for (int f = 0; f < NFIELDS; f++)
+    for (int f = 0; f < NCHANNELS; f++)
         free(page->value[f]);
     free(page->step);
     free(page);
@@ -72,40 +86,57 @@ bool page_wants(struct page *page, const struct fold_step *step)
     return page->nseen++ % page->stride == 0 || step->growth >= 1;
 }
 
-static size_t width(const struct page *page, enum field field)
+int page_nsteps(const struct page *page)
 {
-    return (size_t)page->scene->grid->columns * (size_t)page->per_stitch + (field <= FIELD_Z);
+    return page->nsteps;
 }
 
-static size_t height(const struct page *page, enum field field)
+static size_t width(const struct page *page, enum channel channel)
 {
-    return (size_t)page->scene->grid->rows * (size_t)page->per_stitch + (field <= FIELD_Z);
+    return (size_t)page->scene->grid->columns * (size_t)page->per_stitch + (channel <= CHANNEL_Z);
 }
 
-static size_t layer(const struct page *page, enum field field)
+static size_t height(const struct page *page, enum channel channel)
 {
-    return width(page, field) * height(page, field);
+    return (size_t)page->scene->grid->rows * (size_t)page->per_stitch + (channel <= CHANNEL_Z);
+}
+
+static size_t layer(const struct page *page, enum channel channel)
+{
+    return width(page, channel) * height(page, channel);
+}
+
+/* The ranges of colours, as in pictures: of the surface as it is in the end. */
+static void find_ranges(struct page *page, const struct surface *s)
+{
+    for (enum coloring c = COLOR_HEIGHT; c <= COLOR_STRETCHING; c++) {
+        page->range[c] = field_of(s, c);
+        if (!page->range[c].value)
+            page_pack_no_room();
+        field_free(&page->range[c]);
+    }
 }
 
 void page_add(struct page *page, const struct fold_step *step, const struct surface *s)
 {
-    const double *const from[NFIELDS] = {s->position, s->position + 1, s->position + 2,
+    const double *const from[NCHANNELS] = {s->position, s->position + 1, s->position + 2,
                                          s->mean, s->gauss, s->bending, s->stretching};
     size_t before = (size_t)page->nsteps++;
     page->per_stitch = s->per_stitch;
     page->step = page_pack_room(page->step, (before + 1) * sizeof *page->step);
     page->step[before] = *step;
-    for (enum field f = 0; f < NFIELDS; f++) {
-        size_t n = layer(page, f), stride = f <= FIELD_Z ? 3 : 1;
+    for (enum channel f = 0; f < NCHANNELS; f++) {
+        size_t n = layer(page, f), stride = f <= CHANNEL_Z ? 3 : 1;
         page->value[f] = page_pack_room(page->value[f], (before + 1) * n * sizeof *page->value[f]);
         for (size_t i = 0; i < n; i++)
             page->value[f][before * n + i] = (float)from[f][i * stride];
     }
+    find_ranges(page, s);
 }
 
 /* ---- the data ---- */
 
-static struct page_field describe(const struct page *page, enum field f)
+static struct page_field describe(const struct page *page, enum channel f)
 {
     struct page_field field = {width(page, f), height(page, f), (size_t)page->nsteps, INFINITY, -INFINITY};
     for (size_t i = 0; i < layer(page, f) * (size_t)page->nsteps; i++) {
@@ -118,10 +149,10 @@ static struct page_field describe(const struct page *page, enum field f)
 static void add_fields(cJSON *root, struct page_pack *pack, const struct page *page)
 {
     cJSON *fields = cJSON_AddArrayToObject(root, "fields");
-    for (enum field f = 0; f < NFIELDS; f++) {
+    for (enum channel f = 0; f < NCHANNELS; f++) {
         struct page_field field = describe(page, f);
         cJSON *entry = cJSON_CreateObject();
-        json_text(entry, "name", field_name[f]);
+        json_text(entry, "name", channel_name[f]);
         json_unsigned(entry, "width", field.width);
         json_unsigned(entry, "height", field.height);
         json_number(entry, "low", field.low);
@@ -140,6 +171,47 @@ static void add_stitches(cJSON *root, const struct scene *scene)
         json_text(entry, "symbol", s->symbol);
         json_integer(entry, "ws", s->ws);
         cJSON_AddItemToArray(stitches, entry);
+    }
+}
+
+static void add_color(cJSON *array, struct rgb color)
+{
+    unsigned char byte[3];
+    char text[8];
+    colours_bytes(color, byte);
+    snprintf(text, sizeof text, "#%02x%02x%02x", byte[0], byte[1], byte[2]);
+    cJSON_AddItemToArray(array, cJSON_CreateString(text));
+}
+
+/* The very colours that pictures and meshes have. */
+static void add_colors(cJSON *root, const struct scene *scene)
+{
+    cJSON *palettes = cJSON_AddObjectToObject(root, "palettes"), *scales = cJSON_AddObjectToObject(root, "scales");
+    for (size_t p = 0; p < sizeof palette_name / sizeof *palette_name; p++) {
+        cJSON *colors = cJSON_AddArrayToObject(palettes, palette_name[p]);
+        for (int id = 0; id < scene->nstitches; id++)
+            add_color(colors, colours_stitch(colours_palette(palette_name[p]), id));
+    }
+    for (enum colours_scale s = COLOURS_SEQUENTIAL; s <= COLOURS_DIVERGING; s++) {
+        cJSON *colors = cJSON_AddArrayToObject(scales, scale_name[s]);
+        for (int i = 0; i < SCALE_STOPS; i++)
+            add_color(colors, colours_at(s, i / (SCALE_STOPS - 1.)));
+    }
+}
+
+static void add_colorings(cJSON *root, const struct page *page)
+{
+    cJSON *colorings = cJSON_AddArrayToObject(root, "colorings");
+    for (enum coloring c = COLOR_HEIGHT; c <= COLOR_STRETCHING; c++) {
+        const struct field *range = &page->range[c];
+        cJSON *entry = cJSON_CreateObject();
+        json_text(entry, "name", coloring_name[c]);
+        json_text(entry, "title", range->title);
+        json_text(entry, "scale", scale_name[range->diverging ? COLOURS_DIVERGING : COLOURS_SEQUENTIAL]);
+        json_number(entry, "low", range->low);
+        json_number(entry, "high", range->high);
+        json_text(entry, "ends", range->ends);
+        cJSON_AddItemToArray(colorings, entry);
     }
 }
 
@@ -162,10 +234,14 @@ static void add_steps(cJSON *root, const struct page *page)
     }
 }
 
-static void add_result(cJSON *root, const struct fold_record *r)
+static void add_result(cJSON *root, const struct page *page, const struct fold_record *r)
 {
+    /* Of a run that was stopped nothing is known but its last step. */
+    const struct fold_record stopped = {.energy = page->step[page->nsteps - 1].energy, .energy_error = -1,
+                                        .extent_x = NAN, .extent_y = NAN, .extent_z = NAN, .max_normal_curvature = NAN};
     cJSON *result = cJSON_AddObjectToObject(root, "result");
-    json_text(result, "status", fold_status_name(r->status));
+    json_text(result, "status", r ? fold_status_name(r->status) : "stopped");
+    r = r ? r : &stopped;
     json_text(result, "remark", r->remark ? r->remark : "");
     add_energy(result, &r->energy);
     json_number(result, "error_estimate", r->energy_error < 0 ? NAN : r->energy_error);
@@ -215,7 +291,9 @@ static char *data_text(const struct page *page, const struct fold_record *record
     json_number(root, "width", scene->gauge.width);
     json_number(root, "height", scene->gauge.height);
     add_stitches(root, scene);
-    add_result(root, record);
+    add_colors(root, scene);
+    add_colorings(root, page);
+    add_result(root, page, record);
     add_steps(root, page);
     add_parameters(root, scene);
     page_pack_bytes(&pack, scene->grid->cell, (size_t)scene->grid->columns * (size_t)scene->grid->rows);

@@ -4,10 +4,12 @@
  * in the binary; here the swatch's data are put into it.
  *
  * The data are one JSON object in <script id="weft-data">: the report's words
- * for scene, energies, steps and parameters, and "blob", which holds, packed
- * (page_pack.h), the grid's stitches (a byte each) and then the fields that
- * "fields" lists, each over all steps: x, y, z at points (low, high and
- * quantum shared), mean, gauss, bending and stretching at cells. */
+ * for scene, energies, steps and parameters; the colours that pictures have
+ * ("palettes": of each stitch, "scales": from low to high, "colorings": fields
+ * with their scale and its ends); and "blob", which holds, packed (page_pack.h),
+ * the grid's stitches (a byte each) and then the fields that "fields" lists,
+ * each over all steps between its own low and high: x, y, z at points, mean,
+ * gauss, bending and stretching at cells. */
 #ifndef WEFT_PAGE_H
 #define WEFT_PAGE_H
 
@@ -30,10 +32,12 @@ void         page_end(struct page *page);
 /* Up to PAGE_STEPS growth steps a page keeps all; of more every second, third,
  * ..., and the final one.  To be asked once a step: is this one to be added? */
 enum { PAGE_STEPS = 50 };
+int  page_nsteps(const struct page *page);      /* added so far */
 bool page_wants(struct page *page, const struct fold_step *step);
 void page_add(struct page *page, const struct fold_step *step, const struct surface *surface);
 
-/* Writes the page; false: see log->error. */
+/* Writes the page of one step or more; record NULL: of a run that was stopped.
+ * false: see log->error. */
 bool page_write(const struct page *page, struct file_log *log, const char *path, const struct fold_record *record);
 
 #endif

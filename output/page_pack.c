@@ -10,13 +10,17 @@
 #include <string.h>
 #include <zlib.h>
 
+void page_pack_no_room(void)
+{
+    fprintf(stderr, "weft: out of memory\n");
+    exit(1);
+}
+
 void *page_pack_room(void *old, size_t size)
 {
     void *memory = realloc(old, size ? size : 1);
-    if (!memory) {
-        fprintf(stderr, "weft: out of memory\n");
-        exit(1);
-    }
+    if (!memory)
+        page_pack_no_room();
     return memory;
 }
 

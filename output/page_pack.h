@@ -20,8 +20,9 @@ struct page_pack {
     size_t         n, room;
 };
 
-/* realloc that does not return without memory. */
-void *page_pack_room(void *old, size_t size);
+/* realloc that does not return without memory, and what it does then. */
+void          *page_pack_room(void *old, size_t size);
+_Noreturn void page_pack_no_room(void);
 
 /* Adds a field: a value's level less what its neighbours let expect (left +
  * below - the one between, 0 outside the grid), modulo 2^16, a small one of

@@ -88,20 +88,27 @@ static void lay_out(struct show *show)
 
 /* ---- the fold ---- */
 
-static bool color_cells(const struct show *show, double (*color)[3])
+/* A purl is a knit stitch from behind: its wrong side has the colour of what it is there. */
+static struct rgb color_of(const struct show *show, int i, int j, bool behind)
 {
     const struct surface *s = show->surface;
     const struct field *f = &show->field;
-    enum colours_scale scale = f->diverging ? COLOURS_DIVERGING : COLOURS_SEQUENTIAL;
-    for (int j = 0; color && j < s->ny; j++) {
-        for (int i = 0; i < s->nx; i++) {
-            size_t cell = (size_t)j * (size_t)s->nx + (size_t)i;
-            struct rgb c = f->value ? colours_at(scale, (f->value[cell] - f->low) / (f->high - f->low))
-                                    : colours_stitch(show->palette, grid_at(show->scene->grid, i / s->per_stitch,
-                                                                            j / s->per_stitch));
-            color[cell][0] = c.red, color[cell][1] = c.green, color[cell][2] = c.blue;
-        }
+    if (f->value) {
+        double share = (f->value[(size_t)j * (size_t)s->nx + (size_t)i] - f->low) / (f->high - f->low);
+        return colours_at(f->diverging ? COLOURS_DIVERGING : COLOURS_SEQUENTIAL, share);
     }
+    stitch_id id = grid_at(show->scene->grid, i / s->per_stitch, j / s->per_stitch);
+    return colours_stitch(show->palette, behind ? show->scene->stitch[id].ws : id);
+}
+
+/* (ny x nx) of one side; NULL: out of memory. */
+static struct rgb *color_cells(const struct show *show, bool behind)
+{
+    const struct surface *s = show->surface;
+    struct rgb *color = malloc((size_t)s->nx * (size_t)s->ny * sizeof *color);
+    for (int j = 0; color && j < s->ny; j++)
+        for (int i = 0; i < s->nx; i++)
+            color[(size_t)j * (size_t)s->nx + (size_t)i] = color_of(show, i, j, behind);
     return color;
 }
 
@@ -110,9 +117,9 @@ static cairo_surface_t *render_fold(const struct show *show, int pixels)
 {
     const struct drawn_box *box = &show->layout.fold;
     const struct surface *s = show->surface;
-    double (*color)[3] = malloc((size_t)s->nx * (size_t)s->ny * sizeof *color);
+    struct rgb *right = color_cells(show, false), *wrong = color_cells(show, true);
     struct render render = {
-        .surface = s, .color = color, .view = show->view, .edges = show->picture->edges,
+        .surface = s, .color = {right, wrong}, .view = show->view, .edges = show->picture->edges,
         .shade = show->field.value ? 0.75 : 0.5,
         .width = (int)ceil(box->width * pixels), .height = (int)ceil(box->height * pixels),
         .scale = box->height * pixels / fmax(show->high[1] - show->low[1], show->scene->gauge.height / 100),
@@ -120,9 +127,10 @@ static cairo_surface_t *render_fold(const struct show *show, int pixels)
     };
     view_direction(&show->view, show->picture->light, render.light);
     cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, render.width, render.height);
-    bool done = cairo_surface_status(image) == CAIRO_STATUS_SUCCESS && color_cells(show, color) &&
+    bool done = cairo_surface_status(image) == CAIRO_STATUS_SUCCESS && right && wrong &&
                 render_pixels(&render, (uint32_t *)(void *)cairo_image_surface_get_data(image));
-    free(color);
+    free(right);
+    free(wrong);
     if (done) {
         cairo_surface_mark_dirty(image);
         return image;

@@ -14,7 +14,7 @@ enum {
 };
 
 /* Brightness of the wrong side beside the right one. */
-static const double behind = 0.72;
+static const double behind = 0.8;
 /* Lines around stitches: half their width in pixels, and their brightness. */
 static const double line_half = 0.4, line_dark = 0.45;
 
@@ -78,19 +78,20 @@ static int64_t sample_from(int64_t place)
 }
 
 /* Full brightness is reached before the light falls straight on. */
-static uint32_t shaded(const double color[3], double shade, double lit, double brightness)
+static uint32_t shaded(const struct rgb *color, double shade, double lit, double brightness)
 {
     double light = brightness * fmin(shade + 1.2 * (1 - shade) * fmax(lit, 0), 1);
+    const double part[3] = {color->red, color->green, color->blue};
     uint32_t rgb = 0;
     for (int c = 0; c < 3; c++)
-        rgb = rgb << 8 | (uint32_t)(255 * light * color[c] + 0.5);
+        rgb = rgb << 8 | (uint32_t)(255 * light * part[c] + 0.5);
     return rgb;
 }
 
-/* Three corners of a cell, its colour, and which of the sides 01, 12, 20 get a line (bits 0, 1, 2). */
+/* Three corners of a cell, the colours of its two sides, and which of the sides 01, 12, 20 get a line (bits 0, 1, 2). */
 struct triangle {
     const struct corner *corner[3];
-    const double        *color;
+    const struct rgb    *color[2];
     unsigned             lines;
     double               line[3];       /* of those: what turn() makes of the line's edge and the side */
 };
@@ -119,7 +120,7 @@ static void draw_sample(struct band *band, const struct triangle *t, const int64
     band->depth[at] = (float)depth;
     bool front = area < 0;
     double brightness = (front ? 1 : behind) * (t->lines && on_line(t, inside) ? line_dark : 1);
-    band->color[at] = shaded(t->color, band->shade, front ? lit : -lit, brightness);
+    band->color[at] = shaded(t->color[!front], band->shade, front ? lit : -lit, brightness);
 }
 
 static void draw_triangle(struct band *band, struct triangle *t)
@@ -165,9 +166,10 @@ static void draw_cell(struct band *band, const struct render *r, const struct co
     if (most(most(a->y, b->y), most(c->y, d->y)) < band->first * STEPS ||
         least(least(a->y, b->y), least(c->y, d->y)) > band->end * STEPS)
         return;
-    const double *color = r->color[(size_t)j * (size_t)s->nx + (size_t)i];
-    draw_triangle(band, &(struct triangle){{a, b, c}, color, r->edges ? bottom | right << 1 : 0, {0}});
-    draw_triangle(band, &(struct triangle){{a, c, d}, color, r->edges ? top << 1 | left << 2 : 0, {0}});
+    size_t cell = (size_t)j * (size_t)s->nx + (size_t)i;
+    const struct rgb *right_side = &r->color[0][cell], *wrong_side = &r->color[1][cell];
+    draw_triangle(band, &(struct triangle){{a, b, c}, {right_side, wrong_side}, r->edges ? bottom | right << 1 : 0, {0}});
+    draw_triangle(band, &(struct triangle){{a, c, d}, {right_side, wrong_side}, r->edges ? top << 1 | left << 2 : 0, {0}});
 }
 
 /* The mean of a pixel's samples, what is empty counting as nothing. */

@@ -7,13 +7,14 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "drawing/colours.h"
 #include "output/view.h"
 #include "solver/surface.h"
 
 /* How a surface lies in a picture. */
 struct render {
     const struct surface *surface;
-    const double        (*color)[3];    /* (ny x nx) red, green, blue of a cell, 0..1 */
+    const struct rgb     *color[2];     /* (ny x nx) of a cell's right side and its wrong side */
     struct view           view;
     double                light[3];     /* unit vector towards the light */
     double                shade;        /* brightness of what the light does not reach, 0..1 */
@@ -25,7 +26,7 @@ struct render {
 
 /* Fills pixels, 0xAARRGGBB with the colours premultiplied by alpha as cairo's
  * ARGB32 has them, top row first; 0 where there is no fabric.  The right side
- * has its full colour, the wrong side the same in darker.  false: out of memory. */
+ * has its full colour, the wrong side its own a little darker.  false: out of memory. */
 bool render_pixels(const struct render *render, uint32_t *pixels);
 
 #endif

@@ -3,7 +3,7 @@ if HAVE_CMOCKA
 check_LIBRARIES += libsample.a
 libsample_a_SOURCES = tests/output/sample.c tests/output/sample.h
 
-check_PROGRAMS += tests/output/test_binary tests/output/test_file tests/output/test_mesh tests/output/test_plot tests/output/test_portrait tests/output/test_report
+check_PROGRAMS += tests/output/test_binary tests/output/test_file tests/output/test_mesh tests/output/test_page tests/output/test_plot tests/output/test_portrait tests/output/test_report
 
 tests_output_test_binary_SOURCES = tests/output/test_binary.c
 tests_output_test_binary_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
@@ -16,6 +16,10 @@ tests_output_test_file_LDADD = libsample.a liboutput.a libcharts.a libdrawing.a 
 tests_output_test_mesh_SOURCES = tests/output/test_mesh.c
 tests_output_test_mesh_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_output_test_mesh_LDADD = libsample.a liboutput.a libcharts.a libdrawing.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
+tests_output_test_page_SOURCES = tests/output/test_page.c
+tests_output_test_page_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_output_test_page_LDADD = libsample.a liboutput.a libcharts.a libdrawing.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 
 tests_output_test_report_SOURCES = tests/output/test_report.c
 tests_output_test_report_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)

@@ -61,9 +61,9 @@ static void light_goes_with_the_eye(void **state)
 enum { WIDTH = 120, HEIGHT = 100 };
 static uint32_t pixels[WIDTH * HEIGHT];
 
-static void shoot(const struct surface *s, const double (*color)[3], const double angles[2], double scale, bool edges)
+static void shoot(const struct surface *s, const struct rgb *right, const struct rgb *wrong, const double angles[2], double scale, bool edges)
 {
-    struct render render = {.surface = s, .color = color, .view = view_make(angles), .shade = 0.5, .edges = edges,
+    struct render render = {.surface = s, .color = {right, wrong}, .view = view_make(angles), .shade = 0.5, .edges = edges,
                             .width = WIDTH, .height = HEIGHT, .scale = scale};
     view_direction(&render.view, head_on, render.light);
     assert_true(render_pixels(&render, pixels));
@@ -79,7 +79,7 @@ static void silhouette_is_the_projected_extent(void **state)
 {
     (void)state;
     enum { N = 24 };
-    static double color[N * N][3];
+    static struct rgb color[N * N];
     const double angles[2] = {25, 35}, scale = 40;
     struct surface s = surface_make(N, N, 1);
     struct view view = view_make(angles);
@@ -92,7 +92,7 @@ static void silhouette_is_the_projected_extent(void **state)
         for (int c = 0; c < 2; c++)
             low[c] = fmin(low[c], seen[c]), high[c] = fmax(high[c], seen[c]);
     }
-    shoot(&s, color, angles, scale, false);
+    shoot(&s, color, color, angles, scale, false);
     int left = WIDTH, right = -1, up = HEIGHT, down = -1;
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         if (!pixels[i])
@@ -112,19 +112,20 @@ static void silhouette_is_the_projected_extent(void **state)
 static void sheets_that_cross_hide_each_other(void **state)
 {
     (void)state;
-    static const double x[4] = {-1, 1, -1, 1}, z[4] = {-1, 1, 1, -1}, color[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double x[4] = {-1, 1, -1, 1}, z[4] = {-1, 1, 1, -1};
+    static const struct rgb color[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     struct surface s = surface_make(3, 1, 1);
     for (int i = 0; i < 8; i++) {
         memcpy(s.position + 3 * i, (double[]){x[i % 4], i < 4 ? -1 : 1, z[i % 4]}, 3 * sizeof *x);
         s.normal[3 * i + 2] = 1;
     }
-    shoot(&s, color, below, 40, false);
+    shoot(&s, color, color, below, 40, false);
     assert_int_equal(pixel_at(WIDTH / 2 - 20, HEIGHT / 2) & 0x00ffff, 0);
     assert_true((pixel_at(WIDTH / 2 - 20, HEIGHT / 2) >> 16 & 255) > 50);
     assert_int_equal(pixel_at(WIDTH / 2 + 20, HEIGHT / 2) & 0xffff00, 0);
     assert_true((pixel_at(WIDTH / 2 + 20, HEIGHT / 2) & 255) > 50);
     assert_int_equal(pixel_at(WIDTH / 2 - 45, HEIGHT / 2), 0);
-    shoot(&s, color, top, 40, false);
+    shoot(&s, color, color, top, 40, false);
     for (int at = -30; at <= 30; at += 15)
         assert_true((pixel_at(WIDTH / 2 + at, HEIGHT / 2) & 0x00ff00) && !(pixel_at(WIDTH / 2 + at, HEIGHT / 2) & 0xff00ff));
     surface_free(&s);
@@ -141,16 +142,16 @@ static struct surface flat_pair(void)
     return s;
 }
 
-static const double white[8][3] = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+static const struct rgb white[8] = {[0 ... 7] = {1, 1, 1}}, mint[8] = {[0 ... 7] = {0.5, 1, 0.5}};
 
-static void wrong_side_is_darker(void **state)
+static void wrong_side_is_its_own_and_darker(void **state)
 {
     (void)state;
     struct surface s = flat_pair();
-    shoot(&s, white, top, 40, false);
+    shoot(&s, white, mint, top, 40, false);
     assert_int_equal(pixel_at(40, 50), 0xffffffff);
-    shoot(&s, white, below, 40, false);
-    assert_int_equal(pixel_at(40, 50), 0xffb8b8b8);     /* 0.72 of 255 */
+    shoot(&s, white, mint, below, 40, false);
+    assert_int_equal(pixel_at(40, 50), 0xff66cc66);     /* 0.8 of the other side's colour */
     surface_free(&s);
 }
 
@@ -158,7 +159,7 @@ static void lines_stand_between_stitches_only(void **state)
 {
     (void)state;
     struct surface s = flat_pair();
-    shoot(&s, white, top, 40, true);
+    shoot(&s, white, mint, top, 40, true);
     assert_int_equal(pixel_at(WIDTH / 2 - 20, HEIGHT / 2 + 10), 0xffffffff);    /* between cells of one stitch */
     assert_true((pixel_at(WIDTH / 2, HEIGHT / 2 + 10) & 255) < 220);
     assert_true((pixel_at(WIDTH / 2 - 1, HEIGHT / 2 + 10) & 255) < 220);
@@ -258,7 +259,9 @@ static uint32_t image_at(cairo_surface_t *image, double x, double y)
 
 static uint32_t bytes_of(struct rgb c)
 {
-    return (uint32_t)lround(255 * c.red) << 16 | (uint32_t)lround(255 * c.green) << 8 | (uint32_t)lround(255 * c.blue);
+    unsigned char byte[3];
+    colours_bytes(c, byte);
+    return (uint32_t)byte[0] << 16 | (uint32_t)byte[1] << 8 | byte[2];
 }
 
 /* Cell by cell in a box of the picture: row 1 at the bottom, column 1 left. */
@@ -283,6 +286,25 @@ static void flat_from_above_is_the_chart(void **state)
     image = read_png(picture);
     check_cells(image, colours_palette("safe"), 8, 184);        /* chart and fold have one size, */
     check_cells(image, colours_palette("safe"), 208, 184);      /* and stand side by side */
+    cairo_surface_destroy(image);
+}
+
+/* From below the rows run downward, and a knit stitch is a purl: in purl's colour, darker. */
+static void from_behind_knit_is_purl(void **state)
+{
+    (void)state;
+    struct picture picture = plain;
+    picture.view[1] = -90;
+    cairo_surface_t *image = read_png(picture);
+    double height = cairo_image_surface_get_height(image), tall = 384 * 2.4 / 4.2;
+    for (int row = 0; row < 2; row++) {
+        for (int column = 0; column < 3; column++) {
+            int shown = sample_scene.stitch[grid_at(sample_scene.grid, column, row)].ws;
+            struct rgb c = colours_stitch(colours_palette("paper"), shown);
+            assert_int_equal(image_at(image, 8 + 384 * (column + 0.5) / 3, height / 2 + tall * (row - 0.5) / 2) & 0xffffff,
+                             bytes_of((struct rgb){0.8 * c.red, 0.8 * c.green, 0.8 * c.blue}));
+        }
+    }
     cairo_surface_destroy(image);
 }
 
@@ -354,10 +376,11 @@ int main(void)
         cmocka_unit_test(light_goes_with_the_eye),
         cmocka_unit_test(silhouette_is_the_projected_extent),
         cmocka_unit_test(sheets_that_cross_hide_each_other),
-        cmocka_unit_test(wrong_side_is_darker),
+        cmocka_unit_test(wrong_side_is_its_own_and_darker),
         cmocka_unit_test(lines_stand_between_stitches_only),
         cmocka_unit_test(scales_leave_out_two_percent),
         cmocka_unit_test(flat_from_above_is_the_chart),
+        cmocka_unit_test(from_behind_knit_is_purl),
         cmocka_unit_test(background_is_as_asked_for),
         cmocka_unit_test(scale_runs_from_low_to_high),
         cmocka_unit_test(all_formats_are_complete_and_repeat),

@@ -9,6 +9,7 @@ const { chromium } = createRequire(`${modules}/package.json`)("playwright-core")
 
 const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync"];
+const patience = 180000;        // ms for any one thing: a loaded machine is slow, not wrong
 const software = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 function expect(name, holds) {
@@ -18,6 +19,7 @@ function expect(name, holds) {
 // Opens the page; troubles collects errors and every request but the page's own.
 async function open(browser, options = {}) {
     const page = await browser.newPage({ viewport: { width: 1100, height: 800 }, ...options });
+    page.setDefaultTimeout(patience);
     const troubles = [];
     page.on("console", (message) => message.type() === "error" && troubles.push(message.text()));
     page.on("pageerror", (error) => troubles.push(error.message));
@@ -26,20 +28,21 @@ async function open(browser, options = {}) {
     return { page, troubles };
 }
 
-// What the fold shows now: pixels it covers, of them red and blue, a sum that changes with the picture.
+// What the fold shows now: pixels it covers, of them red and blue, their light, a sum that changes with the picture.
 const look = (page) => page.evaluate(() => {
     const { fold } = globalThis.weft, gl = fold.renderer.getContext();
     fold.draw();
     const width = gl.drawingBufferWidth, height = gl.drawingBufferHeight, pixel = new Uint8Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-    let covered = 0, red = 0, blue = 0, sum = 0;
+    let covered = 0, red = 0, blue = 0, light = 0, sum = 0;
     for (let i = 0; i < pixel.length; i += 4) {
         covered += pixel[i + 3] > 0;
         red += pixel[i] > 1.5 * pixel[i + 2];
         blue += pixel[i + 2] > 1.5 * pixel[i];
+        light += pixel[i] + pixel[i + 1] + pixel[i + 2];
         sum = (sum * 31 + pixel[i] + 3 * pixel[i + 1] + 7 * pixel[i + 2]) % 1000003;
     }
-    return { all: width * height, covered, red, blue, sum };
+    return { all: width * height, covered, red, blue, light, sum };
 });
 const marked = (page) => page.evaluate(() => JSON.stringify(globalThis.weft.state.marked));
 const text = (page, id) => page.locator(`#${id}`).innerText();
@@ -50,7 +53,14 @@ async function tryFold(page) {
     expect("the fold is drawn", first.covered > 0.1 * first.all && first.covered < 0.9 * first.all);
     expect("knit is red and purl blue", first.red > 0.02 * first.all && first.blue > 0.02 * first.all);
     expect("the title is the script's name", await text(page, "title") === "a <b> & c.knit");
+    await page.locator("#views button", { hasText: "front" }).click();
     await page.locator("#time").fill("0");
+    const face = await look(page);
+    await page.locator("#views button", { hasText: "back" }).click();
+    const back = await look(page);
+    expect("from behind knit is purl", Math.abs(face.red - back.blue) < 0.1 * face.red && Math.abs(face.blue - back.red) < 0.1 * face.blue);
+    expect("and darker", back.light < 0.9 * face.light);
+    await page.locator("#views button", { hasText: "tilted" }).click();
     const flat = await look(page);
     expect("the slider changes the picture", flat.sum !== first.sum && await text(page, "growth") === "0 %");
     expect("and the energies", /total\s+0/.test(await text(page, "energies")));
@@ -130,35 +140,49 @@ async function tryKeys(page) {
     expect("light and dark", await paper() !== light);
 }
 
-async function main() {
-    const browser = await chromium.launch({ executablePath, args: [...flags, ...software] });
-    const { page, troubles } = await open(browser);
-    await tryFold(page);
-    await tryMark(page);
-    await tryColours(page);
-    await tryKeys(page);
-    expect("no error, no request", troubles.length === 0);
-    troubles.forEach((trouble) => console.error(trouble));
-
-    const phone = await open(browser, { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme: "dark" });
-    expect("a phone needs no scrolling sideways", await phone.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
-    expect("dark where the system is dark", await phone.page.evaluate(() => document.documentElement.dataset.theme === "dark"));
-    const place = await phone.page.evaluate(() => {
+async function tryPhone(browser) {
+    const { page } = await open(browser, { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme: "dark" });
+    expect("a phone needs no scrolling sideways", await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    expect("dark where the system is dark", await page.evaluate(() => document.documentElement.dataset.theme === "dark"));
+    const place = await page.evaluate(() => {
         document.querySelector("#chart").scrollIntoView();
         return globalThis.weft.chart.place({ column: 2, row: 3 });
     });
-    await phone.page.touchscreen.tap(place.x, place.y);
-    await settle(phone.page);
-    expect("a finger marks a stitch", await marked(phone.page) === '{"column":2,"row":3}');
-    await browser.close();
+    await page.touchscreen.tap(place.x, place.y);
+    await settle(page);
+    expect("a finger marks a stitch", await marked(page) === '{"column":2,"row":3}');
+}
 
-    const plain = await chromium.launch({ executablePath, args: [...flags, "--disable-3d-apis"] });
-    const without = await open(plain);
-    expect("without WebGL a message", /no WebGL/.test(await text(without.page, "nowebgl")));
-    expect("the chart and the numbers", await without.page.locator("#chart canvas").isVisible() && /bending/.test(await text(without.page, "energies")));
-    await without.page.locator("#time").fill("0");
-    expect("and no error", without.troubles.length === 0 && /total\s+0/.test(await text(without.page, "energies")));
-    await plain.close();
+async function tryPlain(browser) {
+    const { page, troubles } = await open(browser);
+    expect("without WebGL a message", /no WebGL/.test(await text(page, "nowebgl")));
+    expect("the chart and the numbers", await page.locator("#chart canvas").isVisible() && /bending/.test(await text(page, "energies")));
+    await page.locator("#time").fill("0");
+    expect("and no error", troubles.length === 0 && /total\s+0/.test(await text(page, "energies")));
+}
+
+// A browser with these flags; whatever happens, it is closed.
+async function inBrowser(more, attempt) {
+    const browser = await chromium.launch({ executablePath, args: [...flags, ...more], timeout: patience });
+    try {
+        await attempt(browser);
+    } finally {
+        await browser.close();
+    }
+}
+
+async function main() {
+    await inBrowser(software, async (browser) => {
+        const { page, troubles } = await open(browser);
+        await tryFold(page);
+        await tryMark(page);
+        await tryColours(page);
+        await tryKeys(page);
+        expect("no error, no request", troubles.length === 0);
+        troubles.forEach((trouble) => console.error(trouble));
+        await tryPhone(browser);
+    });
+    await inBrowser(["--disable-3d-apis"], tryPlain);
     console.log("done");
 }
 

@@ -32,4 +32,23 @@ check 'the lock names no registry' sh -c "! grep -q '\"resolved\"' '$WEFT_SOURCE
 printf 'a "b" \\n ??(\n' >"$work/text"
 check 'lines become C strings' sh -c "awk -f '$WEFT_SOURCE/viewer/embed.awk' '$work/text' | grep -F '\"a \\\"b\\\" \\\\n \\?\\?(\",'"
 
+# ---- a weft without the page ----
+
+without=$PWD/tests/page/without
+cd "$work" || exit 1
+cat >rib.knit <<'KNIT'
+Cast on 4 sts
+Row 1: k2, p2
+output "rib.html"
+output "rib.txt"
+KNIT
+exits 0 'a script that asks for the page is good' "$without" rib.knit
+err 'and says what it goes without' "^rib.knit:3: warning: this weft cannot write the page 'rib.html': npm"
+out 'the rest is written' '^wrote rib.txt'
+check 'and no page' test ! -e rib.html
+exits 3 'with -W error it is an error' "$without" -W error rib.knit
+err 'as it says' '^rib.knit:3: error: this weft cannot write the page'
+exits 2 'as on the command line' "$without" -q rib.knit -o other.html
+err 'with the reason' "^weft: -o other.html: this weft cannot write the page 'other.html': npm"
+
 finish

@@ -58,7 +58,7 @@ export class Chart {
             for (let column = 0; column < columns; column++) {
                 const id = stitchAt(this.swatch, { column, row });
                 const x = LEFT + column * across, y = TOP + (rows - 1 - row) * up;
-                context.fillStyle = stitchColour(id, this.safe);
+                context.fillStyle = stitchColour(this.swatch, id, this.safe);
                 context.fillRect(x, y, across - line, up - line);
                 if (across >= 6 && id > 0)
                     this.drawSymbol(context, id, x + across / 2, y + up / 2, stitches[id].symbol);

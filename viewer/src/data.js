@@ -34,19 +34,16 @@ function unpack(bytes, at, { width, height, low, high }, nlayers) {
     return values;
 }
 
-// Each step's positions about their own middle, so that the swatch stays in place.
-function centre(swatch) {
-    const { points } = swatch;
-    for (const axis of ["x", "y", "z"]) {
-        const values = swatch.fields[axis];
-        for (let at = 0; at < values.length; at += points) {
-            let sum = 0;
-            for (let i = at; i < at + points; i++)
-                sum += values[i];
-            for (let i = at; i < at + points; i++)
-                values[i] -= sum / points;
-        }
+// Takes its mean off each run of n values.
+function centre(values, n) {
+    for (let at = 0; at < values.length; at += n) {
+        let sum = 0;
+        for (let i = at; i < at + n; i++)
+            sum += values[i];
+        for (let i = at; i < at + n; i++)
+            values[i] -= sum / n;
     }
+    return values;
 }
 
 // Height over the middle, at cells as the other fields.
@@ -58,7 +55,7 @@ function heights({ fields, nx, ny, points, cells, nsteps }) {
                 const a = step * points + y * across + x;
                 height[i] = (fields.z[a] + fields.z[a + 1] + fields.z[a + across] + fields.z[a + across + 1]) / 4;
             }
-    return height;
+    return centre(height, cells);
 }
 
 export function readSwatch(text) {
@@ -76,7 +73,8 @@ export function readSwatch(text) {
         swatch.fields[field.name] = unpack(bytes, at, field, swatch.nsteps);
         at += 2 * field.width * field.height * swatch.nsteps;
     }
-    centre(swatch);
+    for (const axis of ["x", "y", "z"])     // so that the swatch stays in place
+        centre(swatch.fields[axis], swatch.points);
     swatch.fields.height = heights(swatch);
     return swatch;
 }

@@ -7,7 +7,7 @@ import {
     PerspectiveCamera, Raycaster, Scene, SRGBColorSpace, Spherical, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { rampTable, rangeOf, stitchColour } from "./colours.js";
+import { scaleTable, stitchColour } from "./colours.js";
 import { between } from "./data.js";
 
 // Where the viewer of each view stands, seen from the swatch.
@@ -17,6 +17,8 @@ export const views = {
     back: [0, 0, -1],
     edge: [0, -1, 0.12],
 };
+
+const BEHIND = 0.8;         // brightness of the wrong side beside the right one, as in pictures
 
 // ---- geometry ----
 
@@ -69,7 +71,7 @@ function stitchTexture(swatch, safe, behind) {
         for (let column = 0; column < columns; column++) {
             const own = grid[row * columns + column], id = behind ? stitches[own].ws : own;
             const x = column * size, y = (rows - 1 - row) * size;
-            context.fillStyle = stitchColour(id, safe);
+            context.fillStyle = stitchColour(swatch, id, safe);
             context.fillRect(x, y, size, size);
             if (size >= 8)
                 drawStitch(context, id, x, y, size);
@@ -118,6 +120,7 @@ export class Fold {
         this.geometry = gridGeometry(nx, ny);
         const material = { roughness: 0.9, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
         this.sides = [FrontSide, BackSide].map((side) => new Mesh(this.geometry, new MeshStandardMaterial({ ...material, side })));
+        this.sides[1].material.color.setRGB(BEHIND, BEHIND, BEHIND, SRGBColorSpace);
         this.field = fieldTexture(nx, ny);
         this.key = new DirectionalLight(0xffffff, 1.9);
         this.scene.add(...this.sides, new HemisphereLight(0xffffff, 0xb9b2aa, 1.55), this.key, this.key.target);
@@ -212,7 +215,7 @@ export class Fold {
     setColours(mode, safe) {
         this.mode = mode;
         this.safe = safe;
-        if (mode.key === "stitch") {
+        if (mode.name === "stitch") {
             if (this.stitchSafe !== safe) {
                 this.stitch?.forEach((texture) => texture.dispose());
                 this.stitch = [false, true].map((behind) => stitchTexture(this.swatch, safe, behind));
@@ -220,8 +223,7 @@ export class Fold {
             }
             this.sides.forEach((side, i) => { side.material.map = this.stitch[i]; });
         } else {
-            this.table = rampTable(mode, safe);
-            this.range = rangeOf(this.swatch, mode);
+            this.table = scaleTable(this.swatch, mode);
             this.sides.forEach((side) => { side.material.map = this.field; });
             this.colourField();
         }
@@ -230,11 +232,11 @@ export class Fold {
     }
 
     colourField() {
-        if (!this.mode || this.mode.key === "stitch")
+        if (!this.mode || this.mode.name === "stitch")
             return;
-        const { cells, fields } = this.swatch, { low, high } = this.range, to = this.field.image.data;
+        const { cells, fields } = this.swatch, { low, high } = this.mode, to = this.field.image.data;
         this.values ??= new Float32Array(cells);
-        between(fields[this.mode.key], cells, this.time, this.values);
+        between(fields[this.mode.name], cells, this.time, this.values);
         for (let i = 0; i < cells; i++) {
             const level = Math.round(255 * Math.max(0, Math.min(1, (this.values[i] - low) / (high - low))));
             for (let c = 0; c < 3; c++)

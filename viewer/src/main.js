@@ -2,7 +2,7 @@
 // The page: the swatch's data in; fold, chart, numbers and what moves them
 // tied together out.
 import { Chart } from "./chart.js";
-import { modes, number, rampOf, rangeOf, stitchColour, stitchName } from "./colours.js";
+import { modesOf, number, stitchColour, stitchName } from "./colours.js";
 import { readSwatch } from "./data.js";
 import { Fold, views } from "./fold.js";
 import { element, energies, growthAt, parameters, readout, summary } from "./numbers.js";
@@ -11,7 +11,7 @@ const $ = (id) => document.getElementById(id);
 const SECONDS = 5;          // of the growth from start to end
 
 const swatch = readSwatch($("weft-data").textContent);
-const last = swatch.nsteps - 1;
+const last = swatch.nsteps - 1, modes = modesOf(swatch);
 const state = { time: last, mode: modes[0], safe: false, marked: null, playing: false };
 const chart = new Chart($("chart"), swatch);
 const showEnergies = energies($("energies"), swatch);
@@ -72,27 +72,26 @@ function stitchLegend() {
     const used = [...new Set(swatch.grid)].sort((a, b) => a - b);
     const seen = [...new Set(used.flatMap((id) => [id, swatch.stitches[id].ws]))].sort((a, b) => a - b);
     return seen.map((id) => element("span", { class: "key" },
-        element("i", { style: `background: ${stitchColour(id, state.safe)}` }),
+        element("i", { style: `background: ${stitchColour(swatch, id, state.safe)}` }),
         id < 2 ? `${stitchName(swatch, id)} side` : stitchName(swatch, id)));
 }
 
 function fieldLegend(mode) {
-    const { low, high } = rangeOf(swatch, mode);
-    const ramp = `background: linear-gradient(to right, ${rampOf(mode, state.safe).join(", ")})`;
-    const middle = mode.diverging ? ["0"] : [];
+    const scale = swatch.scales[mode.scale], numbers = [mode.low, (mode.low + mode.high) / 2, mode.high];
     return [
-        element("span", { class: "what" }, `${mode.label}, ${mode.unit}`),
-        element("i", { class: "ramp", style: ramp }),
-        element("span", { class: "ends" }, ...[number(low, 2), ...middle, number(high, 2)].map((text) => element("span", {}, text))),
+        element("span", { class: "what" }, mode.title),
+        element("i", { class: "ramp", style: `background: linear-gradient(to right, ${scale.join(", ")})` }),
+        element("span", { class: "ends" }, ...numbers.map((value) => element("span", {}, number(value, 2)))),
+        element("span", { class: "what aside" }, `${mode.ends} of the folded swatch`),
     ];
 }
 
 function setColours(mode, safe) {
     state.mode = mode;
     state.safe = safe;
-    $("mode").value = mode.key;
+    $("mode").value = mode.name;
     $("safe").setAttribute("aria-pressed", safe);
-    $("legend").replaceChildren(...(mode.key === "stitch" ? stitchLegend() : fieldLegend(mode)));
+    $("legend").replaceChildren(...(mode.name === "stitch" ? stitchLegend() : fieldLegend(mode)));
     fold?.setColours(mode, safe);
     chart.setColours(safe);
 }
@@ -220,7 +219,7 @@ function fill() {
     $("footer").textContent = `weft ${swatch.weft}`;
     $("time").max = last;
     $("ticks").append(...swatch.steps.map((_, step) => element("option", { value: step })));
-    $("mode").append(...modes.map(({ key, label }) => element("option", { value: key }, label)));
+    $("mode").append(...modes.map(({ name, label }) => element("option", { value: name }, label)));
     $("views").append(...Object.keys(views).map((view) => {
         const button = element("button", { type: "button" }, view);
         button.addEventListener("click", () => fold?.look(view));
@@ -232,7 +231,7 @@ function fill() {
 function listen() {
     $("time").addEventListener("input", () => stepTo(Number($("time").value)));
     $("play").addEventListener("click", () => setPlaying(!state.playing));
-    $("mode").addEventListener("change", () => setColours(modes.find(({ key }) => key === $("mode").value), state.safe));
+    $("mode").addEventListener("change", () => setColours(modes.find(({ name }) => name === $("mode").value), state.safe));
     $("safe").addEventListener("click", keys.b);
     $("theme").addEventListener("click", keys.t);
     $("help").addEventListener("click", toggleHelp);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a page says in words and figures: the result, energies at a time of the
 // growth with their curve, parameters, the stitch under the pointer.
-import { modes, number, stitchName } from "./colours.js";
+import { modesOf, number, stitchName } from "./colours.js";
 import { atStitch, stitchAt } from "./data.js";
 
 const parts = ["total", "bending", "stretching", "springs"];
@@ -21,9 +21,12 @@ const endings = {
     iteration_limit: "not converged: the limit of iterations was reached",
 };
 
-export function summary({ columns, rows, result }) {
+export function summary({ columns, rows, result, steps }) {
     const percent = (share) => `${number(100 * share)} %`;
-    const words = `${columns} stitches \u00d7 ${rows} rows, folded to ${percent(result.extent_x)} of the width and ` +
+    const size = `${columns} stitches \u00d7 ${rows} rows`;
+    if (result.status === "stopped")
+        return [size, `stopped after ${percent(steps.at(-1).growth)} of the growth`];
+    const words = `${size}, folded to ${percent(result.extent_x)} of the width and ` +
         `${percent(result.extent_y)} of the height, ${number(result.extent_z)} deep`;
     const ending = endings[result.status] ?? result.status;
     return [words, [ending, result.remark].filter(Boolean).join("; ")];
@@ -98,6 +101,6 @@ export function parameters(holder, swatch) {
 
 export function readout(swatch, stitch, time) {
     const name = stitchName(swatch, stitchAt(swatch, stitch));
-    const values = modes.slice(1).map(({ key, label }) => `${label} ${number(atStitch(swatch, key, time, stitch), 2)}`);
+    const values = modesOf(swatch).slice(1).map((mode) => `${mode.label} ${number(atStitch(swatch, mode.name, time, stitch), 2)}`);
     return { head: `row ${stitch.row + 1}, column ${stitch.column + 1}: ${name}`, values };
 }
