@@ -31,24 +31,36 @@ whole() {
 listening=
 env --default-signal=HUP true 2>/dev/null && listening='env --default-signal=HUP'
 
+template=$WEFT_SOURCE/viewer/template.html
+
 # stop SIGNAL: starts a run, sends the signal once the second step stands.
 stop() {
     folder=$work/$1
     mkdir "$folder"
-    $listening "$WEFT" run "$work/slow.knit" -o "$folder/x.pvd" -o "$folder/y.vtp" -o "$folder/r.json" \
-        >"$work/out" 2>"$work/err" &
+    set -- "$1" -o "$folder/x.pvd" -o "$folder/x.glb" -o "$folder/y.vtp" -o "$folder/r.json"
+    [ ! -s "$template" ] || set -- "$@" -o "$folder/x.html"
+    signal=$1
+    shift
+    $listening "$WEFT" run "$work/slow.knit" --steps 40 "$@" >"$work/out" 2>"$work/err" &
     job=$!
     tries=0
-    while [ ! -e "$folder/x_001.vtp" ] && [ "$tries" -lt 600 ]; do
+    while [ ! -e "$folder/x_01.vtp" ] && [ "$tries" -lt 600 ]; do
         sleep 0.1
         tries=$((tries + 1))
     done
-    kill -s "$1" "$job"
+    kill -s "$signal" "$job"
     status=0
     wait "$job" || status=$?
-    check "$1: exit status 1" test "$status" = 1
-    err "$1: says so" 'stopped after [0-9]* of 500 growth steps; .*x.pvd holds what is complete'
-    check "$1: what is complete is kept, nothing else" whole "$folder"
+    check "$signal: exit status 1" test "$status" = 1
+    err "$signal: says so" 'stopped after [0-9]* of 40 growth steps; .*x.pvd holds what is complete'
+    check "$signal: what is complete is kept, nothing else" whole "$folder"
+    check "$signal: the animation has its steps" sh -c 'head -c 4 "$1" | grep -q glTF && grep -aq "\"growth 0\"" "$1"' - "$folder/x.glb"
+    if [ -s "$template" ]; then
+        check "$signal: the page, too" grep -q '"status":"stopped".*"growth":0,.*"growth":0.025,' "$folder/x.html"
+        check "$signal: and is whole" sh -c 'tail -n 1 "$1" | grep "</html>"' - "$folder/x.html"
+    else
+        skip "$signal: the page, too" 'built without npm'
+    fi
 }
 
 stop TERM

@@ -18,6 +18,7 @@ output "x.vtp"
 output "x.glb"
 output "r.json"
 KNIT
+[ ! -s "$WEFT_SOURCE/viewer/template.html" ] || echo 'output "x.html"' >>"$work/x.knit"
 mkdir "$work/whole" "$work/killed"
 
 # in FOLDER WORDS...: runs weft there, with two threads.

@@ -289,7 +289,7 @@ static void assert_triangles(const struct place *p, const struct gltf *gltf, con
     }
 }
 
-/* Target i takes every vertex to where step i was; its time is when it alone counts. */
+/* Target i takes every vertex to where step i was; its time is when it alone counts.  growth (n + 1). */
 static void assert_growth(const struct gltf *gltf, const cJSON *primitive, int n, const double *growth)
 {
     const cJSON *sampler = cJSON_GetArrayItem(cJSON_GetObjectItem(first(gltf, "animations"), "samplers"), 0);
@@ -304,7 +304,7 @@ static void assert_growth(const struct gltf *gltf, const cJSON *primitive, int n
             assert_true(take_f32(&delta) == (float)(i - n));
         assert_true(take_f32(&time) == (float)(4 * growth[i]));
     }
-    assert_true(take_f32(&time) == 4);
+    assert_true(take_f32(&time) == (float)(4 * growth[n]));
     for (int key = 0; key <= n; key++)
         for (int i = 0; i < n; i++)
             assert_true(take_f32(&weight) == (float)(key == i));
@@ -321,6 +321,25 @@ static void glb_reads_back(void **state)
     }
     assert_int_equal(glb.nsteps, 2);
     assert_true(glb_write(&glb, &p->log, p->path, &p->surface));
+    struct gltf gltf = gltf_read(p);
+    const cJSON *primitive = cJSON_GetArrayItem(cJSON_GetObjectItem(first(&gltf, "meshes"), "primitives"), 0);
+    assert_triangles(p, &gltf, primitive);
+    assert_growth(&gltf, primitive, 2, growth);
+    cJSON_Delete(gltf.root);
+    glb_end(&glb);
+}
+
+/* Of a run that was stopped the last step is what shows. */
+static void glb_stops_at_the_last_step(void **state)
+{
+    static const double growth[] = {0, 0.25, 0.5};
+    struct place *p = *state;
+    struct glb glb = glb_begin(&sample_scene);
+    for (int i = 0; i < 3; i++) {
+        move(&p->surface, i);
+        assert_true(glb_step(&glb, growth[i], &p->surface));
+    }
+    assert_true(glb_write(&glb, &p->log, p->path, NULL));
     struct gltf gltf = gltf_read(p);
     const cJSON *primitive = cJSON_GetArrayItem(cJSON_GetObjectItem(first(&gltf, "meshes"), "primitives"), 0);
     assert_triangles(p, &gltf, primitive);
@@ -364,8 +383,8 @@ int main(void)
 {
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        TEST(ply_reads_back), TEST(stl_reads_back), TEST(glb_reads_back), TEST(glb_without_steps),
-        TEST(glb_keeps_some_of_many_steps),
+        TEST(ply_reads_back), TEST(stl_reads_back), TEST(glb_reads_back),
+        TEST(glb_stops_at_the_last_step), TEST(glb_without_steps), TEST(glb_keeps_some_of_many_steps),
     };
     return cmocka_run_group_tests_name("binary meshes", tests, NULL, NULL);
 }

@@ -77,12 +77,11 @@ function stitchLegend() {
 }
 
 function fieldLegend(mode) {
-    const scale = swatch.scales[mode.scale], numbers = [mode.low, (mode.low + mode.high) / 2, mode.high];
+    const ramp = `background: linear-gradient(to right, ${swatch.scales[mode.scale].join(", ")})`;
     return [
-        element("span", { class: "what" }, mode.title),
-        element("i", { class: "ramp", style: `background: linear-gradient(to right, ${scale.join(", ")})` }),
-        element("span", { class: "ends" }, ...numbers.map((value) => element("span", {}, number(value, 2)))),
-        element("span", { class: "what aside" }, `${mode.ends} of the folded swatch`),
+        element("span", {}, mode.title),
+        element("span", { class: "scale" }, number(mode.low, 2), element("i", { style: ramp }), number(mode.high, 2)),
+        element("span", { class: "aside" }, `${mode.ends} of the folded swatch`),
     ];
 }
 
@@ -182,7 +181,7 @@ const keys = {
     t: () => setTheme(document.documentElement.dataset.theme !== "dark"),
     "?": toggleHelp,
 };
-modes.forEach((mode, i) => { keys[i + 1] = () => setColours(mode, state.safe); });
+modes.forEach((mode, i) => { keys[i + 1] = () => fold && setColours(mode, state.safe); });
 
 // Controls keep the keys they know; all others belong to the page.
 function onKey(event) {
