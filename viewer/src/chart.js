@@ -43,6 +43,7 @@ export class Chart {
         canvas.style.height = `${high}px`;
         const context = canvas.getContext("2d");
         context.scale(sharp, sharp);
+        this.sharp = sharp;
         this.drawStitches(context);
         this.drawNumbers(context);
         this.setMark(this.marked);
@@ -50,7 +51,7 @@ export class Chart {
 
     drawStitches(context) {
         const { columns, rows, stitches } = this.swatch, { across, up } = this;
-        const line = across >= 5 ? 0.75 : 0;
+        const line = across >= 5 ? 0.75 : 0, sharp = (v) => Math.round(v * this.sharp) / this.sharp;     // no seams
         context.font = `${0.7 * Math.min(across, up)}px system-ui, sans-serif`;
         context.textAlign = "center";
         context.textBaseline = "middle";
@@ -59,7 +60,7 @@ export class Chart {
                 const id = stitchAt(this.swatch, { column, row });
                 const x = LEFT + column * across, y = TOP + (rows - 1 - row) * up;
                 context.fillStyle = stitchColour(this.swatch, id, this.safe);
-                context.fillRect(x, y, across - line, up - line);
+                context.fillRect(sharp(x), sharp(y), sharp(x + across) - sharp(x) - line, sharp(y + up) - sharp(y) - line);
                 if (across >= 6 && id > 0)
                     this.drawSymbol(context, id, x + across / 2, y + up / 2, stitches[id].symbol);
             }

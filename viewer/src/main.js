@@ -111,7 +111,7 @@ function showStitch() {
     const said = state.marked && readout(swatch, state.marked, state.time);
     $("readout").replaceChildren(...(said
         ? [element("strong", {}, said.head), ...said.values.map((value) => element("span", {}, value))]
-        : ["Point at a stitch, in the fold or in the chart."]));
+        : [`Point at a stitch, ${fold ? "in the fold or " : ""}in the chart.`]));
 }
 
 function mark(stitch) {
