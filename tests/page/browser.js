@@ -84,6 +84,7 @@ async function tryMark(page) {
     await settle(page);
     expect("leaving it marks nothing", await marked(page) === "null" && (await look(page)).sum === sum);
     await page.locator("#views button", { hasText: "front" }).click();
+    await settle(page);
     place = await page.evaluate((s) => globalThis.weft.fold.place(s), stitch);
     await page.mouse.move(place.x, place.y);
     await settle(page);

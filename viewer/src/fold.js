@@ -277,6 +277,7 @@ export class Fold {
     pick(clientX, clientY) {
         const box = this.canvas.getBoundingClientRect(), { nx, per_stitch } = this.swatch;
         const at = new Vector2((clientX - box.left) / box.width * 2 - 1, 1 - (clientY - box.top) / box.height * 2);
+        this.camera.updateMatrixWorld();        // a frame may not have been drawn since it moved
         this.ray.setFromCamera(at, this.camera);
         const [hit] = this.ray.intersectObject(this.target);
         if (!hit)
@@ -292,6 +293,7 @@ export class Fold {
         const middle = new Vector3();
         for (const [x, y] of [[0, 0], [n, 0], [0, n], [n, n]])
             middle.add(new Vector3().fromArray(from, 3 * ((row * n + y) * across + column * n + x)));
+        this.camera.updateMatrixWorld();
         middle.divideScalar(4).project(this.camera);
         return { x: box.left + (middle.x + 1) / 2 * box.width, y: box.top + (1 - middle.y) / 2 * box.height };
     }
