@@ -53,9 +53,10 @@ yes 'k,p;' | head -c 10000000 >wrong_lines
 # ---- as every kind ----
 
 # Runs weft with so much memory and time at most; the address
-# sanitizer needs more than any limit.
-(ulimit -v 1500000; "$WEFT" version) >/dev/null 2>&1 && memory=1500000 || memory=unlimited
-limited() { (ulimit -v "$memory"; exec timeout 10 "$WEFT" "$@"); }
+# sanitizer needs more than any limit, and ten times as long.
+memory=1500000 seconds=10
+{ (ulimit -v "$memory"; "$WEFT" version) || memory=unlimited seconds=100; } >/dev/null 2>&1
+limited() { (ulimit -v "$memory"; exec timeout "$seconds" "$WEFT" "$@"); }
 
 now() { date +%s%3N; }
 

@@ -6,6 +6,7 @@
 build=$(dirname "$WEFT")
 unset MAKEFLAGS MAKELEVEL DESTDIR
 exits 0 'make install' make -C "$build" install DESTDIR="$work/root" prefix=/usr
+exits 0 'and once more' make -C "$build" install DESTDIR="$work/root" prefix=/usr
 for file in bin/weft share/man/man1/weft.1 share/bash-completion/completions/weft share/zsh/site-functions/_weft \
     share/weft/editors/knit.tmLanguage.json share/vim/vimfiles/syntax/knit.vim share/vim/vimfiles/ftdetect/knit.vim \
     share/weft/stdlib/ribs.knit share/weft/examples/rib.knit; do
