@@ -18,9 +18,10 @@ const struct command command_table[] = {
     {"sweep", "FILE", 1, 1, command_sweep, "run every point of a script's sweep",
      "Runs FILE once for each point of its `sweep`, several at a time, each in a\n"
      "folder of its own below FILE.sweep (or --into DIR), and writes a table of all\n"
-     "as table.csv and table.jsonl there. A point that fails is recorded and the rest\n"
-     "go on. Called again it runs only what is not done: a point is done when it came\n"
-     "to an end with the same script, params, settings and outputs.\n"
+     "as table.csv and table.jsonl there, and the script's own tables and plots. A\n"
+     "point that fails is recorded and the rest go on. Called again it runs only what\n"
+     "is not done: a point is done when it came to an end with the same fabric,\n"
+     "params, settings and outputs.\n"
      "On many machines: --print lists independent commands, one for each point, as\n"
      "GNU parallel wants them; in an array of jobs each runs --point K; --collect\n"
      "then makes the table.\n"},

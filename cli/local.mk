@@ -24,6 +24,7 @@ libcli_a_SOURCES = \
     cli/streams.c cli/streams.h \
     cli/sweep.c \
     cli/sweep_point.c cli/sweep_point.h \
+    cli/sweep_plot.c cli/sweep_plot.h \
     cli/sweep_table.c cli/sweep_table.h \
     cli/version.c \
     cli/waiting.c cli/waiting.h \

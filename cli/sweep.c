@@ -23,6 +23,7 @@
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/script.h"
+#include "cli/sweep_plot.h"
 #include "cli/sweep_table.h"
 
 /* ---- the words of a point's own command ---- */
@@ -258,12 +259,14 @@ static void run_points(struct crew *crew)
 
 /* ---- the table ---- */
 
-static void print_count(const struct sweep *sweep, const struct sweep_count *count)
+static void print_count(const struct sweep *sweep, const struct sweep_count *count, const struct file_log *log)
 {
     printf("%d points: %d converged, %d ended otherwise, %d missing", sweep->npoints, count->good, count->other, count->missing);
     if (count->stale > 0)
         printf(" (%d of them of another script, other settings or outputs)", count->stale);
-    printf("\nwrote %s/table.csv, %s/table.jsonl\n", sweep->folder, sweep->folder);
+    for (int i = 0; i < log->nentries; i++)
+        printf("%s %s", i == 0 ? "\nwrote" : ",", log->entry[i].path);
+    printf("\n");
 }
 
 static enum status collect(const struct sweep *sweep, const struct scene *scene)
@@ -277,10 +280,13 @@ static enum status collect(const struct sweep *sweep, const struct scene *scene)
         if (scene->output[i].kind == OUTPUT_TABLE && outputs_of_sweep(scene, i))
             table[ntables++] = scene->output[i].path;
     bool written = sweep_table_write(sweep, table, ntables, &log, &count);
+    for (int i = 0; i < scene->noutputs; i++)
+        if (scene->output[i].kind == OUTPUT_PLOT && outputs_of_sweep(scene, i))
+            written = written && sweep_plot_write(sweep, &scene->output[i], &log);
     if (!written)
         fprintf(stderr, "weft: %s\n", log.error);
     else if (!sweep->options->quiet)
-        print_count(sweep, &count);
+        print_count(sweep, &count, &log);
     file_log_free(&log);
     arena_free(&arena);
     return !written ? STATUS_FILES : count.good == sweep->npoints ? STATUS_DONE : STATUS_FAILED;
@@ -337,6 +343,10 @@ static enum status run_sweep(const struct sweep *sweep, const struct scene *scen
         return options_wrong(o, "-D %s: the sweep of %s sets this param; `weft run` takes one value of it", twice, sweep->script);
     if (o->print + o->collect + (o->point > 0) > 1)
         return options_wrong(o, "of --print, --point and --collect a sweep takes one at a time");
+    for (int i = 0; i < scene->noutputs; i++)
+        if (scene->output[i].kind == OUTPUT_PLOT && outputs_of_sweep(scene, i) &&
+            sweep_plot_check(sweep, &scene->output[i]) != STATUS_DONE)
+            return STATUS_SCRIPT;
     if (o->print)
         return print_commands(sweep);
     if (mkdir(sweep->folder, 0777) != 0 && errno != EEXIST) {

@@ -5,6 +5,7 @@
 
 #include "cli/sweep_table.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,25 +25,39 @@ enum { NFIELDS = sizeof fields / sizeof *fields };
 /* Members of the report that differ from run to run. */
 static const char *const passing[] = {"time", "memory", "outputs"};
 
+const char *sweep_table_field(int index)
+{
+    return index + 1 < NFIELDS ? fields[index + 1] : NULL;      /* but for the status */
+}
+
 /* The report's value at "energy.total", or NULL. */
 static const cJSON *value_at(const cJSON *report, const char *path)
 {
     char name[64];
-    const char *dot = strchr(path, '.');
-    snprintf(name, sizeof name, "%.*s", (int)(dot - path), path);
-    return cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(report, name), dot + 1);
+    for (size_t n; report && *path; path += n + (path[n] == '.')) {
+        n = strcspn(path, ".");
+        snprintf(name, sizeof name, "%.*s", (int)n, path);
+        report = cJSON_GetObjectItemCaseSensitive(report, name);
+    }
+    return report;
 }
 
-/* The status of a point that has no report. */
-static const char *state_word(enum sweep_state state)
+double sweep_table_number(const cJSON *report, const char *field)
 {
-    return state == SWEEP_ERROR ? SWEEP_ERROR_STATUS : "missing";
+    const cJSON *value = value_at(report, field);
+    return cJSON_IsNumber(value) ? value->valuedouble : NAN;
 }
 
 static const char *status_of(const cJSON *report)
 {
     const char *word = cJSON_GetStringValue(value_at(report, "solve.status"));
     return word ? word : "";
+}
+
+/* The status of a point that has no report. */
+static const char *state_word(enum sweep_state state)
+{
+    return state == SWEEP_ERROR ? SWEEP_ERROR_STATUS : "missing";
 }
 
 static void print_header(const struct sweep *sweep, struct file *csv)
@@ -101,10 +116,20 @@ static void print_line(const struct sweep *sweep, const struct sweep_point *poin
     cJSON_Delete(line);
 }
 
-static void count_point(enum sweep_state state, const cJSON *report, struct sweep_count *count)
+bool sweep_table_converged(const cJSON *report)
 {
     const char *word = report ? status_of(report) : "";
-    if (strcmp(word, "converged") == 0 || strcmp(word, "precision") == 0)
+    return strcmp(word, "converged") == 0 || strcmp(word, "precision") == 0;
+}
+
+cJSON *sweep_table_report(const struct sweep *sweep, const struct sweep_point *point, struct arena *arena)
+{
+    return sweep_point_state(sweep, point) == SWEEP_DONE ? sweep_point_json(point, SWEEP_REPORT, arena) : NULL;
+}
+
+static void count_point(enum sweep_state state, const cJSON *report, struct sweep_count *count)
+{
+    if (sweep_table_converged(report))
         count->good++;
     else if (report || state == SWEEP_ERROR)
         count->other++;
@@ -148,10 +173,10 @@ bool sweep_table_write(const struct sweep *sweep, const char *const *also, int n
     }
     if (done)
         print_points(sweep, csv, ncsv, jsonl, count);
+    for (int i = ncsv - 1; i >= 0; i--)
+        done = file_commit(csv[i]) && done;
     if (jsonl)
         done = file_commit(jsonl) && done;
-    for (int i = 0; i < ncsv; i++)
-        done = file_commit(csv[i]) && done;
     arena_free(&arena);
     return done;
 }

@@ -19,4 +19,12 @@ struct sweep_count {
 bool sweep_table_write(const struct sweep *sweep, const char *const *also, int nalso, struct file_log *log,
                        struct sweep_count *count);
 
+/* The numbers of a table by their place in the report, "energy.total"; NULL after the last. */
+const char *sweep_table_field(int index);
+
+/* The report of a point that is done, or NULL; did it converge; its number at a place, NAN if there is none. */
+cJSON *sweep_table_report(const struct sweep *sweep, const struct sweep_point *point, struct arena *arena);
+bool   sweep_table_converged(const cJSON *report);
+double sweep_table_number(const cJSON *report, const char *field);
+
 #endif

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "lang/limits.h"
@@ -500,6 +501,15 @@ static bool list_points(struct eval *eval, struct where where, const struct expr
     return true;
 }
 
+/* 0.7 for 0.4 + 3 * 0.1, which a computer takes for 0.7000000000000001. */
+static double near_decimal(double value, double step)
+{
+    char text[40];
+
+    snprintf(text, sizeof text, "%.12g", value);
+    return fabs(strtod(text, NULL) - value) < fabs(step) * 1e-9 ? strtod(text, NULL) : value;
+}
+
 bool eval_range(struct eval *eval, struct where where, const struct range *range, double **point, int *n)
 {
     double low, high, step = 1, count;
@@ -523,6 +533,8 @@ bool eval_range(struct eval *eval, struct where where, const struct range *range
     *n = count > 0 ? (int)count : 0;
     *point = arena_array(eval->arena, double, (size_t)*n + 1);
     for (int i = 0; i < *n; i++)
-        (*point)[i] = i == *n - 1 && fabs(low + i * step - high) < fabs(step) * 1e-6 ? high : low + i * step;
+        (*point)[i] = i == *n - 1 && fabs(low + i * step - high) < fabs(step) * 1e-6
+                          ? high
+                          : near_decimal(low + i * step, step);
     return true;
 }

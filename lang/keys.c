@@ -21,7 +21,7 @@ struct key_value key_default(const struct key *key)
 
     if (key->type == KEY_EDGES)
         value.number[0] = EDGE_ALL;
-    else if (key->word)
+    else if (key->words)
         value.number[0] = word_index(key->words, key->word);
     if (key->type == KEY_ANGLES)
         memcpy(value.number, key->angles[(int)value.number[0]], sizeof value.number);
@@ -61,6 +61,18 @@ static const char *word_of(struct eval *eval, struct where where, const struct k
         diag_error(eval->diag, CODE_TYPE, e->span, "%s is a word%s, not %s", key->name,
                    key->type == KEY_ANGLES ? " or (azimuth, elevation)" : "", value_type(value));
     return NULL;
+}
+
+static bool read_text(struct eval *eval, struct where where, const struct key *key, const struct expr *e,
+                      struct key_value *to)
+{
+    struct value value = eval_expr(eval, where, e);
+
+    if (value.kind == VALUE_STRING)
+        to->text = value.text;
+    else if (value.kind != VALUE_BAD)
+        diag_error(eval->diag, CODE_TYPE, e->span, "%s is a text in quotes, not %s", key->name, value_type(value));
+    return value.kind == VALUE_STRING;
 }
 
 static bool read_word(struct eval *eval, struct where where, const struct key *key, const struct expr *e,
@@ -215,6 +227,8 @@ bool key_read(struct eval *eval, struct where where, const struct key *key, cons
         return read_edges(eval, where, key, e, to);
     case KEY_PER_STITCH:
         return read_per_stitch(eval, where, key, e, to);
+    case KEY_TEXT:
+        return read_text(eval, where, key, e, to);
     case KEY_ANGLES:
         return read_angles(eval, where, key, e, to);
     default:
@@ -231,6 +245,7 @@ size_t key_size(const struct key *key)
     case KEY_SEED: return sizeof(uint64_t);
     case KEY_EDGES: return sizeof(unsigned);
     case KEY_SWITCH: return sizeof(bool);
+    case KEY_TEXT: return sizeof(char *);
     case KEY_ANGLES: return 2 * sizeof(double);
     default: return sizeof(int);
     }
@@ -252,6 +267,9 @@ void key_store(const struct key *key, const struct key_value *value, void *struc
         break;
     case KEY_SWITCH:
         *(bool *)field = value->number[0] != 0;
+        break;
+    case KEY_TEXT:
+        *(const char **)field = value->text;
         break;
     case KEY_ANGLES:
         memcpy(field, value->number, sizeof value->number);

@@ -14,6 +14,7 @@ enum key_type {
     KEY_SWITCH,     /* one of two words: false or true */
     KEY_EDGES,      /* all, none or a list of sides */
     KEY_PER_STITCH, /* auto or a power of two */
+    KEY_TEXT,       /* anything in quotes */
     KEY_ANGLES      /* a word, or two angles in degrees */
 };
 
@@ -26,13 +27,13 @@ struct key {
     double             number;      /* the default */
     const char        *word;        /* words: the default, */
     const char *const *words;       /* and all of them, in the order of their enum */
-    size_t             offset;      /* in what key_store fills: int, double, bool, uint64_t or unsigned by type */
+    size_t             offset;      /* in what key_store fills: int, double, bool, uint64_t, unsigned or const char * by type */
     const double     (*angles)[2];  /* what each word stands for: double[2] at offset */
 };
 
 struct key_value {
     double      number[2];          /* words: the index of the one chosen; else one number, or two angles */
-    const char *text;               /* words: the one chosen, else NULL */
+    const char *text;               /* words: the one chosen; texts; else NULL */
 };
 
 extern const char *const key_edges[];

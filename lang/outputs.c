@@ -207,6 +207,7 @@ static const char *const palettes[] = {"paper", "safe", NULL};
 static const char *const purls[] = {"dot", "dash", NULL};
 static const char *const switches[] = {"off", "on", NULL};
 static const char *const shows[] = {"energy", "convergence", NULL};
+static const char *const forms[] = {"auto", "curves", "map", NULL};
 static const char *const scales[] = {"auto", "linear", "log", NULL};
 static const char *const backgrounds[] = {"white", "transparent", NULL};
 
@@ -226,6 +227,8 @@ static const struct output_key {
     {OF(PICTURE), {.name = "background", WORDS(KEY_SWITCH, "white", backgrounds), .offset = AT(picture.transparent)}},
     {OF(PICTURE), {.name = "chart", WORDS(KEY_SWITCH, "off", switches), .offset = AT(picture.chart)}},
     {OF(PLOT), {.name = "show", WORDS(KEY_WORD, "energy", shows), .offset = AT(graph.show)}},
+    {OF(PLOT), {.name = "field", .type = KEY_TEXT, .word = "energy.total", .offset = AT(graph.field)}},
+    {OF(PLOT), {.name = "kind", WORDS(KEY_WORD, "auto", forms), .offset = AT(graph.form)}},
     {OF(PLOT), {.name = "scale", WORDS(KEY_WORD, "auto", scales), .offset = AT(graph.scale)}},
     {OF(PLOT), {.name = "width", .type = KEY_WHOLE, .low = 100, .high = 10000, .number = 640, .offset = AT(graph.width)}},
     {DRAWN_CHART, {.name = "symbols", WORDS(KEY_WORD, "dot", purls), .offset = AT(chart.symbols)}},
@@ -265,8 +268,12 @@ static void set_defaults(struct output *output)
 void output_values(const struct output *output, void (*see)(void *self, const void *value, size_t size), void *self)
 {
     for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
-        if (k->kinds & bit_of(output))
-            see(self, (const char *)output + k->key.offset, key_size(&k->key));
+        if (k->kinds & bit_of(output)) {
+            const void *at = (const char *)output + k->key.offset;
+            const char *text = k->key.type == KEY_TEXT ? *(const char *const *)at : NULL;
+
+            see(self, text ? text : at, text ? strlen(text) + 1 : key_size(&k->key));
+        }
 }
 
 /* A key that no output has, or not this kind. */

@@ -87,11 +87,14 @@ struct picture {
 };
 
 enum graph_show  { GRAPH_ENERGY, GRAPH_CONVERGENCE };
+enum graph_form  { GRAPH_FORM_AUTO, GRAPH_CURVES, GRAPH_MAP };
 enum graph_scale { GRAPH_AUTO, GRAPH_LINEAR, GRAPH_LOG };
 
 /* What a plot shows. */
 struct graph {
-    enum graph_show  show;
+    enum graph_show  show;      /* of a run */
+    enum graph_form  form;      /* of a sweep; auto: a map of two params, else curves */
+    const char      *field;     /* of a sweep: a number by its place in the report, "energy.total" */
     enum graph_scale scale;     /* of the energies or the gradient; auto: linear energies, logarithmic gradients */
     int              width;     /* pixels, or points in SVG and PDF */
 };
