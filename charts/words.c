@@ -30,11 +30,19 @@ static bool begins_like_a_row(struct span line)
     return false;
 }
 
+/* `motif dots {`: the rows behind it are the motif's own. */
+static bool begins_a_motif(struct span line)
+{
+    const char *text = line.source->text + line.start;
+    size_t length = line.end - line.start;
+    return length > 6 && strncasecmp(text, "motif ", 6) == 0 && (memchr(text, '{', length) || memchr(text, '=', length));
+}
+
 bool words_is(const struct source *source)
 {
     struct lines lines = lines_of(source);
     struct span line;
-    for (int i = 0; i < LOOK && lines_next(&lines, &line); i++)
+    for (int i = 0; i < LOOK && lines_next(&lines, &line) && !begins_a_motif(line); i++)
         if (begins_like_a_row(line))
             return true;
     return false;

@@ -9,3 +9,4 @@ include tests/stress/local.mk
 include tests/fuzz/local.mk
 include tests/tools/local.mk
 include tests/page/local.mk
+include tests/docs/local.mk

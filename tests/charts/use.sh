@@ -32,6 +32,10 @@ printf 'motif m { Row 1: k2, p1 }\n' >script.txt
 printf 'use "script.txt" as s\nswatch s.m\n' >use.knit
 exits 0 'another text is a script still' "$WEFT" check use.knit
 
+printf 'motif m {\n  Row 1: k1, p1\n  Row 2: k1, p1\n}\nmotif n = turn(m)\n' >rows.knit
+printf 'use "rows.knit" as r\nuse n from "rows.knit"\nswatch above(r.m, n)\n' >use.knit
+exits 0 'motifs of rows are no single pattern' "$WEFT" check use.knit
+
 # Errors stand in the chart and at the place that uses it.
 printf 'k,p\nk,q\n' >bad.csv
 printf 'swatch b\nuse "bad.csv" as b\n' >use.knit
