@@ -75,12 +75,12 @@ holds 'none of these wrote anything' "$work/set" r.json r.manifest.json
 
 # ---- outputs that cannot be written: said before any work ----
 
-exits 2 'a kind that is not there yet' "$WEFT" run "$work/rib.knit" -o "chart:$work/set/x.svg"
-err 'says which kinds there are' 'it can write: report, chart (.txt).* glb'
+exits 2 'a chart that there is not' "$WEFT" run "$work/rib.knit" -o "chart:$work/set/x.dxf"
+err 'says which there are' 'its extension is one of: .txt, .svg'
 empty 'before it starts' "$work/out"
-printf 'output chart "x.svg"\n' | cat "$work/rib.knit" - >"$work/chart.knit"
-exits 3 'a kind that is not there yet, in the script' "$WEFT" run "$work/chart.knit"
-err 'has its place' 'chart.knit:5: error: .*it can write:'
+printf 'output chart "x.dxf"\n' | cat "$work/rib.knit" - >"$work/chart.knit"
+exits 3 'a chart that there is not, in the script' "$WEFT" run "$work/chart.knit"
+err 'has its place' 'chart.knit:5:14: error: a chart cannot be written as 'x.dxf''
 exits 4 'a folder that is not there' "$WEFT" run "$work/rib.knit" -o "$work/none/x.pvd"
 err 'is named' "there is no folder '.*/none'"
 exits 4 'a folder that is a file' "$WEFT" run "$work/rib.knit" -o "$work/rib.knit/x.vtp"
