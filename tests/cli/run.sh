@@ -80,7 +80,7 @@ err 'says which there are' 'its extension is one of: .txt, .svg'
 empty 'before it starts' "$work/out"
 printf 'output chart "x.dxf"\n' | cat "$work/rib.knit" - >"$work/chart.knit"
 exits 3 'a chart that there is not, in the script' "$WEFT" run "$work/chart.knit"
-err 'has its place' 'chart.knit:5:14: error: a chart cannot be written as 'x.dxf''
+err 'has its place' "chart.knit:5:14: error: a chart cannot be written as 'x.dxf'"
 exits 4 'a folder that is not there' "$WEFT" run "$work/rib.knit" -o "$work/none/x.pvd"
 err 'is named' "there is no folder '.*/none'"
 exits 4 'a folder that is a file' "$WEFT" run "$work/rib.knit" -o "$work/rib.knit/x.vtp"
