@@ -1,14 +1,14 @@
 # The man page: made where weft is built from a checkout, ready in a release.
 dist_man_MANS = docs/weft.1
-EXTRA_DIST += docs/experiments.md docs/weft.1.in docs/manpage.sh
+EXTRA_DIST += docs/weft.1.in docs/manpage.sh
 MAINTAINERCLEANFILES += docs/weft.1
 docs/weft.1: docs/weft.1.in docs/manpage.sh cli/command.c cli/options.c | weft$(EXEEXT)
 	$(AM_V_GEN)$(MKDIR_P) docs && \
 	$(SHELL) $(srcdir)/docs/manpage.sh ./weft$(EXEEXT) $(srcdir)/docs/weft.1.in > $@.tmp && mv $@.tmp $@
 
 # The manual. Its Markdown is read as it is; `make docs` makes pages of it with pandoc.
-MANUAL = index first-swatch knitters researchers language stitches formats numerics stability errors
-manual_files = docs/index.md docs/first-swatch.md docs/knitters.md docs/researchers.md docs/language.md \
+MANUAL = index first-swatch knitters researchers experiments language stitches formats numerics stability errors
+manual_files = docs/index.md docs/first-swatch.md docs/knitters.md docs/researchers.md docs/experiments.md docs/language.md \
     docs/stitches.md docs/formats.md docs/numerics.md docs/stability.md docs/errors.md
 dist_doc_DATA = README.md NEWS.md
 manualdir = $(docdir)/manual
