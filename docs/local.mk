@@ -17,6 +17,7 @@ EXTRA_DIST += docs/manual/build.sh docs/manual/filter.lua docs/manual/stitches.s
     docs/manual/template.html
 
 docs: weft$(EXEEXT)
+	@test '$(PANDOC)' != no || { echo 'make docs needs pandoc; the manual is readable as it is, in docs/*.md' >&2; exit 1; }
 	$(srcdir)/docs/manual/stitches.sh ./weft$(EXEEXT) docs/html/stitches
 	$(srcdir)/docs/manual/build.sh ./weft$(EXEEXT) docs/html $(MANUAL)
 stitches: weft$(EXEEXT)
