@@ -9,5 +9,5 @@ for name in miura chains columns peaks squiggles bars weave; do
     {
         grep -v '^output' "examples/$name.knit"
         echo "output picture \"docs/figures/$name.png\" { chart = on; width = 700 }"
-    } | "$weft" -q --steps 1 --accuracy 5% -
+    } | "$weft" -q --no-manifest --steps 1 --accuracy 5% -
 done
