@@ -261,7 +261,8 @@ static void there_may_be_little_to_show(void **state)
     const struct plot_line line[] = {{NULL, 0, NULL, NULL}, {NULL, 1, one, one}, {NULL, 1, one, none}};
     const char *const names[] = {"x.svg", "x.pdf", "x.png"};
     for (int i = 0; i < 36; i++) {
-        struct plot_panel panel[2] = {{.x = {"x", AXIS_AUTO}, .y = {"y", (enum axis_scale)(i % 3)}, .nlines = i / 9 < 3,
+        struct plot_panel panel[2] = {{.x = {.title = "x", .scale = AXIS_AUTO}, .y = {.title = "y", .scale = (enum axis_scale)(i % 3)},
+                                       .nlines = i / 9 < 3,
                                        .line = &line[i / 9 % 3]}};
         panel[1] = panel[0];
         assert_true(plot_lines(&p->log, named(p, names[i / 3 % 3]), &(struct plot){.width = 100, .npanels = 2, .panel = panel}));
