@@ -21,6 +21,20 @@ struct pattern {
     int *row;                   /* (start[n]) */
 };
 
+/* Where an entry of the pattern stands among the values; row >= column. */
+static inline int pattern_find(const struct pattern *pattern, int row, int column)
+{
+    int low = pattern->start[column], high = pattern->start[column + 1] - 1;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (pattern->row[middle] < row)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
 struct discretisation;
 
 struct discretisation_ops {

@@ -10,7 +10,7 @@ struct forecast {
     int    per_stitch;      /* of the last level; for auto: of the coarsest it can be */
     long   unknowns;        /* on that level */
     long   elements;
-    double seconds;         /* wall, two threads; good for the order of magnitude */
+    double seconds;         /* wall, two threads; within a factor 2 on the bench's scenes, docs/numerics.md */
     double bytes;           /* at the peak; likewise */
 };
 

@@ -162,20 +162,6 @@ static struct node_rows *make_rows(const struct transfer *t)
     return rows;
 }
 
-/* Where a row stands in a column, row >= column. */
-static int place_of(const struct pattern *pattern, int row, int column)
-{
-    int low = pattern->start[column], high = pattern->start[column + 1];
-    while (low < high) {
-        int middle = low + (high - low) / 2;
-        if (pattern->row[middle] < row)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* Adds B (3 x 3) to rows and columns that begin at row and column, both triangles of it
  * where they are the same and it comes from two nodes. */
 static void add_block(const struct pattern *pattern, double *value, int row, int column, double B[3][3], bool both)
@@ -183,7 +169,7 @@ static void add_block(const struct pattern *pattern, double *value, int row, int
     bool own = row == column, transposed = row < column;
     int low = transposed ? row : column, high = transposed ? column : row;
     for (int j = 0; j < 3; j++) {
-        double *v = value + place_of(pattern, own ? low + j : high, low + j);
+        double *v = value + pattern_find(pattern, own ? low + j : high, low + j);
         for (int i = own ? j : 0; i < 3; i++)
             *v++ += (transposed ? B[j][i] : B[i][j]) + (own && both ? B[j][i] : 0);
     }

@@ -20,19 +20,6 @@ void springs_add(struct spring_form *s, int i, int j, double value)
     s->value[s->count++] = value;
 }
 
-static int pattern_find(const struct pattern *p, int row, int col)
-{
-    int low = p->start[col], high = p->start[col + 1] - 1;
-    while (low < high) {
-        int middle = low + (high - low) / 2;
-        if (p->row[middle] < row)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 void springs_finish(struct spring_form *s, const struct discretisation *d)
 {
     s->position = MEMORY_ARRAY(int, 3 * s->count);

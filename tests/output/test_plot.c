@@ -262,8 +262,7 @@ static void there_may_be_little_to_show(void **state)
     const char *const names[] = {"x.svg", "x.pdf", "x.png"};
     for (int i = 0; i < 36; i++) {
         struct plot_panel panel[2] = {{.x = {.title = "x", .scale = AXIS_AUTO}, .y = {.title = "y", .scale = (enum axis_scale)(i % 3)},
-                                       .nlines = i / 9 < 3,
-                                       .line = &line[i / 9 % 3]}};
+                                       .nlines = i / 9 < 3, .line = &line[i / 9 % 3]}};
         panel[1] = panel[0];
         assert_true(plot_lines(&p->log, named(p, names[i / 3 % 3]), &(struct plot){.width = 100, .npanels = 2, .panel = panel}));
         const struct plot_map map = {.x_title = "x", .y_title = "y", .title = "t", .scale = (enum axis_scale)(i % 3), .nx = i < 18,
