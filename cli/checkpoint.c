@@ -133,22 +133,37 @@ static bool is_ours(struct checkpoint *c)
            memcmp(head + sizeof title - 1, c->key, FILE_HASH) == 0;
 }
 
-static enum status resume(struct checkpoint *c, bool quiet)
+/* Says why there is nothing to go on from. */
+static enum status refuse(const struct checkpoint *c, int number)
 {
-    c->stream = fopen(c->path, "r+b");
-    if (!c->stream && errno == ENOENT) {
+    if (number == ENOENT) {
         fprintf(stderr, "weft: there is no %s to go on from: the run begins anew\n", c->path);
         return STATUS_DONE;
     }
-    if (!c->stream) {
-        fprintf(stderr, "weft: cannot go on from '%s': %s\n", c->path, strerror(errno));
-        return STATUS_FILES;
-    }
-    if (!is_ours(c)) {
-        fprintf(stderr, "weft: cannot go on from '%s': it is of another script, other parameters or threads, or another "
-                        "build of weft; without --resume the run begins anew\n", c->path);
-        return STATUS_FILES;
-    }
+    fprintf(stderr, "weft: cannot go on from '%s': %s\n", c->path,
+            number ? strerror(number) : "it is of another script, other parameters or threads, or another build of weft; "
+                                        "without --resume the run begins anew");
+    return STATUS_FILES;
+}
+
+/* One that does not fit is of no use to anybody where it need not. */
+static void drop(struct checkpoint *c)
+{
+    if (c->stream)
+        fclose(c->stream);
+    c->stream = NULL;
+    unlink(c->path);
+}
+
+static enum status resume(struct checkpoint *c, enum checkpoint_wish wish, bool quiet)
+{
+    c->stream = fopen(c->path, "r+b");
+    int number = c->stream ? 0 : errno;
+    bool fits = c->stream && is_ours(c);
+    if (!fits && wish == CHECKPOINT_MUST_FIT)
+        return refuse(c, number);
+    if (!fits)
+        drop(c);
     if (c->stream)
         read_marks(c);
     if (!quiet && c->nread > 0)
@@ -156,13 +171,26 @@ static enum status resume(struct checkpoint *c, bool quiet)
     return STATUS_DONE;
 }
 
-enum status checkpoint_open(struct checkpoint *c, const struct report *report, const struct options *options)
+/* As manifest_path, below a folder. */
+static char *path_below(const char *into, const struct scene *scene)
 {
-    *c = (struct checkpoint){.path = manifest_path(report->scene, ".checkpoint")};
+    char *path = manifest_path(scene, ".checkpoint"), *below = NULL;
+    if (!path || !into)
+        return path;
+    if (asprintf(&below, "%s/%s", into, path) < 0)
+        below = NULL;
+    free(path);
+    return below;
+}
+
+enum status checkpoint_open(struct checkpoint *c, const struct report *report, const struct options *options,
+                            enum checkpoint_wish wish, const char *into)
+{
+    *c = (struct checkpoint){.path = path_below(into, report->scene)};
     if (!c->path)
         return STATUS_DONE;
     make_key(c, report, options);
-    enum status status = options->resume ? resume(c, options->quiet) : STATUS_DONE;
+    enum status status = wish == CHECKPOINT_ANEW ? STATUS_DONE : resume(c, wish, options->quiet);
     if (status != STATUS_DONE) {
         c->nmarks = 1;      /* not ours to remove */
         checkpoint_close(c, false);

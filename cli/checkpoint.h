@@ -21,10 +21,15 @@ struct checkpoint {
     int               nread;
 };
 
-/* Says where the steps of a run go, which report describes.  With --resume
- * reads those that are there, and says so; STATUS_FILES, with the reason on
- * standard error, where they are those of another run. */
-enum status checkpoint_open(struct checkpoint *c, const struct report *report, const struct options *options);
+/* Of the steps that are there: none is wanted; those that fit; or those, and
+ * it is an error if they are of another run. */
+enum checkpoint_wish { CHECKPOINT_ANEW, CHECKPOINT_IF_IT_FITS, CHECKPOINT_MUST_FIT };
+
+/* Says where the steps of a run go, which report describes: beside its manifest,
+ * below into if that is no NULL.  Reads those that are wanted, and says so.
+ * STATUS_FILES, with the reason on standard error, where they had to fit. */
+enum status checkpoint_open(struct checkpoint *c, const struct report *report, const struct options *options,
+                            enum checkpoint_wish wish, const char *into);
 
 /* Appends a step, each with its hash, so that one cut off half-way is seen.
  * Where that fails, it is said once, and the run goes on without. */

@@ -155,7 +155,9 @@ static enum status stopped(const struct run *run)
     for (int i = 0; i < run->script.scene->noutputs; i++)
         if (outputs_kept(&run->outputs, i))
             fprintf(stderr, "; %s holds what is complete", run->script.scene->output[i].path);
-    fprintf(stderr, "%s\n", run->checkpoint.nmarks > 0 ? "; --resume goes on from there" : "");
+    fprintf(stderr, "%s\n", run->checkpoint.nmarks == 0 ? ""
+                            : run->of_sweep             ? "; the sweep goes on from there"
+                                                        : "; --resume goes on from there");
     return STATUS_FAILED;
 }
 
@@ -201,9 +203,12 @@ static bool choose_seed(struct run *run, const struct fold_options *options, str
 static enum status open_checkpoint(struct run *run, struct fold_options *options)
 {
     const struct report report = run_report(run);
-    if (run->into)
+    if (run->into && !run->of_sweep)
         return STATUS_DONE;
-    enum status status = checkpoint_open(&run->checkpoint, &report, run->options);
+    enum checkpoint_wish wish = run->of_sweep           ? CHECKPOINT_IF_IT_FITS
+                                : run->options->resume ? CHECKPOINT_MUST_FIT
+                                                       : CHECKPOINT_ANEW;
+    enum status status = checkpoint_open(&run->checkpoint, &report, run->options, wish, run->into);
     options->nmarks = run->checkpoint.nmarks;
     options->mark = run->checkpoint.mark;
     return status;
@@ -245,7 +250,7 @@ static void note_sweep(const struct run *run)
     int npoints = 1;
     for (int i = 0; i < scene->naxes; i++)
         npoints *= scene->axis[i].npoints;
-    if (scene->naxes > 0 && !run->into && !run->options->quiet)
+    if (scene->naxes > 0 && !run->of_sweep && !run->options->quiet)
         fprintf(stderr, "note: %s has a sweep of %d points; this run takes each param as it stands, `weft sweep %s` runs all points\n",
                 scene->file, npoints, scene->file);
 }

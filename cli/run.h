@@ -11,10 +11,12 @@
 #include "cli/seeds.h"
 
 /* Begin with options and, where outputs go into a folder of their own rather
- * than where their paths say, into; all else zero. */
+ * than where their paths say, into; a point of a
+ * sweep says so; all else zero. */
 struct run {
     const struct options *options;
     const char           *into;         /* NULL: outputs go where their paths say */
+    bool                  of_sweep;     /* a point: goes on of its own accord where it was killed */
 
     double                begun;        /* on progress_clock */
     struct script         script;

@@ -101,6 +101,7 @@ struct crew {
     int                 ntodo, *todo;   /* (ntodo) numbers of the points that are not done */
     int                 before;         /* points that are */
     bool                stuck;          /* files cannot be written: no more points */
+    bool                told;           /* those that run are to stop */
     struct progress     progress;
 };
 
@@ -196,16 +197,15 @@ static void tell_all(const struct crew *crew, int number)
 static void wait_for_one(struct crew *crew)
 {
     static const struct timespec moment = {.tv_nsec = 100000000};
-    bool told = false;
     sigset_t ended;
     pid_t process;
     int how;
     sigemptyset(&ended);
     sigaddset(&ended, SIGCHLD);
     while ((process = waitpid(-1, &how, WNOHANG)) == 0) {
-        if (interrupt_asked() && !told)
+        if (interrupt_asked() && !crew->told)
             tell_all(crew, SIGTERM);
-        told = interrupt_asked();
+        crew->told = interrupt_asked();
         progress_points(&crew->progress, busy_workers(crew));
         sigtimedwait(&ended, NULL, &moment);
     }

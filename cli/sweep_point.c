@@ -269,7 +269,7 @@ enum status sweep_point_run(const struct sweep *sweep, int number)
     struct arena arena = {0};
     struct sweep_point point = sweep_point(sweep, number, &arena);
     struct options options = point_options(sweep, &point, &arena);
-    struct run run = {.options = &options, .into = point.folder};
+    struct run run = {.options = &options, .into = point.folder, .of_sweep = true};
     enum status status = STATUS_DONE;
     if (sweep_point_state(sweep, &point) != SWEEP_DONE) {
         nftw(point.folder, tidy, FOLDERS_OPEN, FTW_PHYS);

@@ -347,6 +347,8 @@ static void list_outputs(struct compilation *c)
     struct eval *eval = &c->eval;
 
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next)
+        c->outputs.sweep = c->outputs.sweep || stmt->kind == STMT_SWEEP;
+    for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next)
         if (stmt->kind == STMT_OUTPUT)
             outputs_statement(eval, &c->outputs, stmt);
     for (int i = 0; i < c->options->noutputs; i++) {

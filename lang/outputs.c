@@ -193,6 +193,7 @@ static void add(struct eval *eval, struct outputs *outputs, struct span span, st
 
 #define OF(kind) (1u << OUTPUT_##kind)
 #define DRAWN_CHART (1u << OUTPUT_KINDS)     /* a chart as a drawing, not as text */
+#define SWEEP_PLOT (2u << OUTPUT_KINDS)      /* a plot in a script with a sweep */
 #define SURFACES (OF(PVD) | OF(VTP) | OF(OBJ) | OF(PLY) | OF(STL) | OF(GLB))
 #define AT(field) offsetof(struct output, field)
 #define WORDS(kind, first, all) .type = kind, .word = first, .words = all
@@ -227,10 +228,10 @@ static const struct output_key {
     {OF(PICTURE), {.name = "background", WORDS(KEY_SWITCH, "white", backgrounds), .offset = AT(picture.transparent)}},
     {OF(PICTURE), {.name = "chart", WORDS(KEY_SWITCH, "off", switches), .offset = AT(picture.chart)}},
     {OF(PLOT), {.name = "show", WORDS(KEY_WORD, "energy", shows), .offset = AT(graph.show)}},
-    {OF(PLOT), {.name = "field", .type = KEY_TEXT, .word = "energy.total", .offset = AT(graph.field)}},
-    {OF(PLOT), {.name = "kind", WORDS(KEY_WORD, "auto", forms), .offset = AT(graph.form)}},
-    {OF(PLOT), {.name = "scale", WORDS(KEY_WORD, "auto", scales), .offset = AT(graph.scale)}},
-    {OF(PLOT), {.name = "width", .type = KEY_WHOLE, .low = 100, .high = 10000, .number = 640, .offset = AT(graph.width)}},
+    {SWEEP_PLOT, {.name = "field", .type = KEY_TEXT, .word = "energy.total", .offset = AT(graph.field)}},
+    {SWEEP_PLOT, {.name = "kind", WORDS(KEY_WORD, "auto", forms), .offset = AT(graph.form)}},
+    {OF(PLOT) | SWEEP_PLOT, {.name = "scale", WORDS(KEY_WORD, "auto", scales), .offset = AT(graph.scale)}},
+    {OF(PLOT) | SWEEP_PLOT, {.name = "width", .type = KEY_WHOLE, .low = 100, .high = 10000, .number = 640, .offset = AT(graph.width)}},
     {DRAWN_CHART, {.name = "symbols", WORDS(KEY_WORD, "dot", purls), .offset = AT(chart.symbols)}},
     {DRAWN_CHART, {.name = "color", WORDS(KEY_SWITCH, "off", switches), .offset = AT(chart.color)}},
     {DRAWN_CHART, {.name = "palette", WORDS(KEY_WORD, "paper", palettes), .offset = AT(chart.palette)}},
@@ -238,14 +239,14 @@ static const struct output_key {
 enum { KEYS = sizeof output_keys / sizeof *output_keys };
 
 /* The bit an output has in `kinds`. */
-static unsigned bit_of(const struct output *output)
+static unsigned bit_of(const struct output *output, bool sweep)
 {
     static const char *const drawn[] = {"svg", "pdf", "png"};
 
     for (int i = 0; output->kind == OUTPUT_CHART && i < 3; i++)
         if (strcasecmp(extension_of(output->path), drawn[i]) == 0)
             return DRAWN_CHART;
-    return 1u << output->kind;
+    return sweep && output->kind == OUTPUT_PLOT ? SWEEP_PLOT : 1u << output->kind;
 }
 
 static const struct output_key *find_key(const char *name, unsigned bit)
@@ -267,8 +268,10 @@ static void set_defaults(struct output *output)
 
 void output_values(const struct output *output, void (*see)(void *self, const void *value, size_t size), void *self)
 {
+    unsigned bits = bit_of(output, false) | bit_of(output, true);
+
     for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
-        if (k->kinds & bit_of(output)) {
+        if (k->kinds & bits) {
             const void *at = (const char *)output + k->key.offset;
             const char *text = k->key.type == KEY_TEXT ? *(const char *const *)at : NULL;
 
@@ -277,32 +280,40 @@ void output_values(const struct output *output, void (*see)(void *self, const vo
 }
 
 /* A key that no output has, or not this kind. */
-static void wrong_key(struct eval *eval, const struct pair *pair, const struct output *output)
+static void wrong_key(struct eval *eval, const struct pair *pair, const struct output *output, unsigned bit)
 {
     const char *name = kinds[output->kind].name, *list = "";
+    const char *of = bit == SWEEP_PLOT ? " of a sweep" : bit == OF(PLOT) ? " of a run" : "";
+    bool elsewhere = *of && find_key(pair->key, OF(PLOT) | SWEEP_PLOT);
     struct nearest nearest = nearest_to(pair->key);
 
     for (const struct output_key *k = output_keys; k < output_keys + KEYS; k++)
-        if (k->kinds & bit_of(output)) {
+        if (k->kinds & bit) {
             nearest_offer(&nearest, k->key.name);
             list = arena_printf(eval->arena, "%s%s%s", list, *list ? ", " : "", k->key.name);
         }
-    diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "output %s has no key '%s'", name, pair->key);
-    diag_did_you_mean(eval->diag, nearest.best);
-    if (!nearest.best && *list)
+    diag_error(eval->diag, CODE_UNKNOWN_KEY, pair->key_span, "output %s%s has no key '%s'", name, of,
+               pair->key);
+    if (elsewhere)
+        diag_hint(eval->diag, "it is a key where the script has %s sweep", bit == SWEEP_PLOT ? "no" : "a");
+    else
+        diag_did_you_mean(eval->diag, nearest.best);
+    if ((elsewhere || !nearest.best) && *list)
         diag_hint(eval->diag, "its keys are %s", list);
     if (!*list && output->kind == OUTPUT_CHART)
         diag_hint(eval->diag, "only a chart that is drawn has keys: .svg, .pdf, .png");
 }
 
-static bool read_pairs(struct eval *eval, const struct pair *first, struct output *output)
+static bool read_pairs(struct eval *eval, const struct pair *first, struct output *output, bool sweep)
 {
+    unsigned bit = bit_of(output, sweep);
+
     for (const struct pair *pair = first; pair; pair = pair->next) {
-        const struct output_key *k = find_key(pair->key, bit_of(output));
+        const struct output_key *k = find_key(pair->key, bit);
         struct key_value value;
 
         if (!k) {
-            wrong_key(eval, pair, output);
+            wrong_key(eval, pair, output, bit);
             return false;
         }
         for (const struct pair *earlier = first; earlier != pair; earlier = earlier->next)
@@ -334,7 +345,7 @@ void outputs_statement(struct eval *eval, struct outputs *outputs, const struct 
     if (kind ? !fits_extension(eval, output.kind, span, output.path)
              : !kind_of_extension(eval, span, output.path, &output.kind))
         return;
-    if (read_pairs(eval, stmt->output.pair, &output))
+    if (read_pairs(eval, stmt->output.pair, &output, outputs->sweep))
         add(eval, outputs, span, output);
 }
 

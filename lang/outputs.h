@@ -8,6 +8,7 @@
 struct outputs {
     struct output *output;
     int            n, room;
+    bool           sweep;               /* the script has one: its plots are of all points */
 };
 
 /* An `output` statement; an -o of the command line. Errors are in diag. */

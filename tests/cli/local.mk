@@ -16,7 +16,8 @@ cli_tests = \
     tests/cli/resume.sh \
     tests/cli/run.sh \
     tests/cli/seeds.sh \
-    tests/cli/sweep.sh
+    tests/cli/sweep.sh \
+    tests/cli/sweep_stop.sh
 check_SCRIPTS += $(cli_tests)
 EXTRA_DIST += $(cli_tests) tests/tap.sh
 

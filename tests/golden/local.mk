@@ -50,6 +50,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/names.knit \
     tests/golden/outputs.knit \
     tests/golden/picture_keys.knit \
+    tests/golden/plot_keys.knit \
+    tests/golden/plot_keys_sweep.knit \
     tests/golden/pictures.knit \
     tests/golden/place_of_statements.knit \
     tests/golden/prose.knit \
@@ -88,6 +90,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/names.expected \
     tests/golden/outputs.expected \
     tests/golden/picture_keys.expected \
+    tests/golden/plot_keys.expected \
+    tests/golden/plot_keys_sweep.expected \
     tests/golden/pictures.expected \
     tests/golden/place_of_statements.expected \
     tests/golden/prose.expected \
