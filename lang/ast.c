@@ -3,8 +3,13 @@
  * counted here, so that whoever walks the tree may recurse. */
 #include "lang/ast.h"
 
+#include <string.h>
+
 #include "lang/limits.h"
 #include "lang/parse.h"
+
+#define BLANKS " \t\f\v"
+#define DIGITS "0123456789"
 
 static int deeper(int a, int b)
 {
@@ -129,22 +134,81 @@ struct argument *ast_argument(struct parse *parse, struct span span, const char 
     return a;
 }
 
+static struct item *item_new(struct parse *parse, enum item_kind kind, struct span span)
+{
+    struct item *item = arena_alloc(parse->arena, sizeof *item + (kind <= ITEM_COUNTED ? 0 : sizeof *item->more));
+
+    item->start = span.start;
+    item->length = span.end - span.start;
+    item->kind = kind;
+    return item;
+}
+
+static bool is_written(struct span span, const char *text)
+{
+    size_t length = strlen(text);
+
+    return length == span.end - span.start && memcmp(span.source->text + span.start, text, length) == 0;
+}
+
 struct item *item_stitch(struct parse *parse, struct span span, const char *name, struct expr *count,
                          struct until until)
 {
-    struct item *item = arena_new(parse->arena, struct item);
+    bool plain = !count && until.kind == UNTIL_ONCE && is_written(span, name);
+    struct item *item = item_new(parse, plain ? ITEM_PLAIN : ITEM_STITCH, span);
 
-    *item = (struct item){.kind = ITEM_STITCH, .span = span, .name = name, .count = count, .until = until};
+    if (!plain)
+        item->more[0] = (struct item_more){.name = name, .count = count, .until = until};
     return item;
+}
+
+struct item *item_stitches(struct parse *parse, struct span span, const char *name, struct span number, double n)
+{
+    struct span before = {span.source, span.start, span.start + (unsigned)strlen(name)};
+    bool plain = n <= LIMIT_STITCHES && number.start > before.end && is_written(before, name);
+
+    for (unsigned at = before.end; at < number.start; at++)
+        plain &= strchr(BLANKS, span.source->text[at]) != NULL;
+    plain &= strspn(span.source->text + number.start, DIGITS) == number.end - number.start;
+    if (plain)
+        return item_new(parse, ITEM_COUNTED, span_join(before, number));
+    return item_stitch(parse, span, name, expr_number(parse, number, n, 0), (struct until){.span = before});
 }
 
 struct item *item_group(struct parse *parse, enum item_kind kind, struct span span, struct item *child,
                         struct until until)
 {
-    struct item *item = arena_new(parse->arena, struct item);
+    struct item *item = item_new(parse, kind, span);
 
-    *item = (struct item){.kind = kind, .span = span, .child = child, .until = until};
+    item->more[0] = (struct item_more){.child = child, .until = until};
     return item;
+}
+
+struct span item_span(const struct source *source, const struct item *item)
+{
+    return (struct span){source, item->start, item->start + item->length};
+}
+
+struct until item_until(const struct source *source, const struct item *item)
+{
+    return item_is_plain(item) ? (struct until){.span = item_span(source, item)} : item->more->until;
+}
+
+struct stitch_words item_words(const struct source *source, const struct item *item)
+{
+    const char *text = source->text + item->start;
+    struct span figures = item_span(source, item);
+    size_t length;
+
+    if (!item_is_plain(item))
+        return (struct stitch_words){item->more->name, strlen(item->more->name), item->more->count, {0}};
+    if (item->kind == ITEM_PLAIN)
+        return (struct stitch_words){.name = text, .length = item->length};
+    for (figures.start = figures.end; strchr(DIGITS, source->text[figures.start - 1]);)
+        figures.start--;
+    for (length = figures.start - item->start; strchr(BLANKS, text[length - 1]);)
+        length--;
+    return (struct stitch_words){text, length, NULL, figures};
 }
 
 struct row_numbers *ast_row_numbers(struct parse *parse, struct span span, struct expr *first,

@@ -78,19 +78,30 @@ struct until {
     struct span     span;
 };
 
-enum item_kind { ITEM_STITCH, ITEM_GROUP, ITEM_STARS, ITEM_REP_FROM };
+enum item_kind { ITEM_PLAIN, ITEM_COUNTED, ITEM_STITCH, ITEM_GROUP, ITEM_STARS, ITEM_REP_FROM };
+
+/* What an item has that is not plain. */
+struct item_more {
+    const char   *name;             /* stitch: "k2" */
+    struct expr  *count;            /* stitch: one that stands apart, or NULL */
+    struct item  *child;            /* the others: what is repeated */
+    struct until  until;
+};
 
 /* A stitch with its count; or what is repeated: a group in brackets, between two
- * stars, or from a star to its `rep from *`. */
+ * stars, or from a star to its `rep from *`.  What is plain, `k2` or counted, `knit 2`,
+ * is no more than its place in the text: patterns have millions of them. */
 struct item {
-    enum item_kind kind;
-    struct span    span;
-    const char    *name;            /* stitch: as written, "k2" */
-    struct expr   *count;           /* stitch: a count that stands apart, or NULL */
-    struct item   *child;           /* the others: what is repeated */
-    struct until   until;
-    struct item   *next;
+    struct item     *next;
+    unsigned         start;         /* its bytes in the source of its statement */
+    unsigned         kind : 3, length : 29;
+    struct item_more more[];        /* (1); plain and counted: (0) */
 };
+
+static inline bool item_is_plain(const struct item *item)
+{
+    return item->kind <= ITEM_COUNTED;
+}
 
 /* Which rows a head names: a number, a first and a last, or all of a kind. */
 enum all_kind { ALL_NONE, ALL_RS, ALL_WS, ALL_EVEN, ALL_ODD, ALL_OTHER, ALL_EVERY };
@@ -254,6 +265,22 @@ struct argument *ast_argument(struct parse *, struct span, const char *name, str
 
 struct item *item_stitch(struct parse *, struct span, const char *name, struct expr *count, struct until);
 struct item *item_group(struct parse *, enum item_kind, struct span, struct item *child, struct until);
+
+/* `knit 2`: a number stands behind the name. */
+struct item *item_stitches(struct parse *, struct span, const char *name, struct span number, double n);
+
+/* What any item says, plain or not: where, and how often it is worked. */
+struct span item_span(const struct source *, const struct item *);
+struct until item_until(const struct source *, const struct item *);
+
+/* A stitch's name, and a number apart from it: an expression, or in figures. */
+struct stitch_words {
+    const char        *name;        /* (length) not terminated */
+    size_t             length;
+    const struct expr *count;       /* or NULL */
+    struct span        figures;     /* no source: none */
+};
+struct stitch_words item_words(const struct source *, const struct item *);
 struct row_numbers *ast_row_numbers(struct parse *, struct span, struct expr *first, struct expr *last, enum all_kind);
 
 struct pair *ast_pair(struct parse *, struct span key_span, const char *key, struct expr *value);

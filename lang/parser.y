@@ -454,7 +454,8 @@ item:
 | NAME position                         { $$ = item_stitch(parse, @$, $1, NULL, $position); }
 | NAME TWICE                            { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, expr_number(parse, @2, $2.value, 0), @2}); }
 | NAME STS                              { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
-| NAME count sts                        { $$ = item_stitch(parse, @$, $1, $count, (struct until){.span = @1}); }
+| NAME NUMBER sts                       { $$ = item_stitches(parse, @$, $1, @2, $2.value); }
+| NAME HOLE expr '}' sts                { $$ = item_stitch(parse, @$, $1, $expr, (struct until){.span = @1}); }
 | NAME count TIMES                      { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, $count, span_join(@2, @3)}); }
 | '(' items ')' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }
 | '[' items ']' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }

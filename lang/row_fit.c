@@ -299,20 +299,31 @@ static void misfit(struct diag *diag, const struct row_text *row, const struct f
 /* Writes one pass of a list of work and returns the place behind it. */
 static stitch_id *work_once(const struct work *work, stitch_id *to, const stitch_id *end);
 
+static stitch_id *work_runs(const struct work *work, stitch_id *to, const stitch_id *end)
+{
+    for (const struct run *run = work->run; run < work->run + work->nruns; run++) {
+        long long length = least(run->length, end - to);
+
+        memset(to, run->stitch, (size_t)length);
+        to += length;
+    }
+    return to;
+}
+
 static stitch_id *work_times(const struct work *work, long long n, stitch_id *to, const stitch_id *end)
 {
     stitch_id *first = to;
     long long length = least(times(work->length, n), end - to);
 
-    if (!work->child) {
-        memset(to, work->stitch, (size_t)length);
-        return to + length;
-    }
     if (n <= 0)
         return to;
+    if (work->nruns == 1) {
+        memset(to, work->run->stitch, (size_t)length);
+        return to + length;
+    }
 
     /* One pass, then copies of it. */
-    to = work_once(work->child, to, end);
+    to = work->child ? work_once(work->child, to, end) : work_runs(work, to, end);
     while (to - first < length) {
         long long more = least(to - first, length - (to - first));
 
@@ -355,7 +366,7 @@ static bool work_cut(struct diag *diag, const struct row_text *row, long long wi
         return false;
     }
     for (long long i = 0; i < width; i++)
-        to[i] = i % period < row->work->length ? row->work->stitch : row->work->next->stitch;
+        to[i] = i % period < row->work->length ? row->work->run->stitch : row->work->next->run->stitch;
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include "lang/row_words.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -85,8 +86,31 @@ static char plain(const char *name, const char **digits)
     return (char)tolower((unsigned char)*name);
 }
 
+static const struct source *source_of(const struct writer *w)
+{
+    return w->style->tokens->at[0].span.source;
+}
+
+/* What a plain item says, as the others say it. */
+static struct item_more more_of(const struct writer *w, const struct item *item)
+{
+    struct item_more more = {0};
+    struct stitch_words words;
+
+    if (!item_is_plain(item))
+        return item->more[0];
+    words = item_words(source_of(w), item);
+    more.name = arena_copy(w->style->arena, words.name, words.length);
+    if (words.figures.source) {
+        more.count = arena_new(w->style->arena, struct expr);
+        *more.count = (struct expr){.kind = EXPR_NUMBER, .span = words.figures};
+        more.count->number.value = strtod(source_of(w)->text + words.figures.start, NULL);
+    }
+    return more;
+}
+
 /* An own stitch; its name may end in digits, so a number stands apart. */
-static void put_own(struct writer *w, const struct item *item)
+static void put_own(struct writer *w, const struct item_more *item)
 {
     PUT("%s", item->name);
     if (item->count)
@@ -95,7 +119,7 @@ static void put_own(struct writer *w, const struct item *item)
 }
 
 /* Alone a stitch fills what there is: `knit`. Elsewhere it is one: `k1`. */
-static void put_stitch(struct writer *w, const struct item *item, bool alone, bool whole_row)
+static void put_stitch(struct writer *w, const struct item_more *item, bool alone, bool whole_row)
 {
     enum until_kind until = item->until.kind;
     const char *digits;
@@ -118,22 +142,22 @@ static void put_stitch(struct writer *w, const struct item *item, bool alone, bo
 
 static void put_group(struct writer *w, const struct item *item)
 {
-    char first = item->span.source->text[item->span.start], open = first == '(' || first == '[' ? first : '*';
-    bool total = item->kind == ITEM_STARS && item->until.kind == UNTIL_TIMES;
+    char first = source_of(w)->text[item->start], open = first == '(' || first == '[' ? first : '*';
+    bool total = item->kind == ITEM_STARS && item->more->until.kind == UNTIL_TIMES;
 
     PUT("%c", open);
-    put_items(w, item->child, false);
+    put_items(w, item->more->child, false);
     if (open == '*' && !total)
         PUT(";\nrep from *");
     else
         PUT("%c%s", open == '(' ? ')' : open == '[' ? ']' : '*', open != '*' && item->kind == ITEM_STARS ? " rep" : "");
-    put_until(w, &item->until);
+    put_until(w, &item->more->until);
 }
 
 /* A line that begins with a statement's word would be one. */
-static bool may_begin_line(const struct item *item)
+static bool may_begin_line(const struct item_more *item)
 {
-    size_t letters = item->kind == ITEM_STITCH ? strcspn(item->name, "0123456789") : 0;
+    size_t letters = item->name ? strcspn(item->name, "0123456789") : 0;
 
     for (int i = 0; i < nstatement_words && letters; i++)
         if (strncasecmp(item->name, statement_word[i], letters) == 0 && !statement_word[i][letters])
@@ -146,10 +170,12 @@ static void put_items(struct writer *w, const struct item *item, bool whole_row)
     const struct item *first = item;
 
     for (; item; item = item->next) {
+        struct item_more more = more_of(w, item);
+
         if (item != first)
-            PUT(may_begin_line(item) ? ",\n" : ", ");
-        if (item->kind == ITEM_STITCH)
-            put_stitch(w, item, !first->next, whole_row);
+            PUT(may_begin_line(&more) ? ",\n" : ", ");
+        if (more.name)
+            put_stitch(w, &more, !first->next, whole_row);
         else
             put_group(w, item);
     }

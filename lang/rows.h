@@ -19,11 +19,18 @@ enum work_until {
     WORK_FIT            /* as often as leaves room for what follows */
 };
 
-/* `length` stitches of a kind, or a group, worked again and again. */
+/* So many stitches of a kind. */
+struct run {
+    unsigned  length;
+    stitch_id stitch;
+};
+
+/* Stitches in a row, or a group, worked again and again. */
 struct work {
     struct span     span;
-    stitch_id       stitch;
-    struct work    *child;      /* a group: its parts; NULL: a stitch */
+    struct run     *run;        /* (nruns) stitches, */
+    struct work    *child;      /* or a group: its parts */
+    int             nruns;
     long long       length;     /* stitches of one pass */
     enum work_until until;
     long long       n;

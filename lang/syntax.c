@@ -154,9 +154,14 @@ struct row syntax_head(struct parse *parse, enum side round, enum side side, str
 }
 
 /* Whether an item is stitches with a number: `p1`, `purl 2`. */
-static bool is_counted(const struct item *item)
+static bool is_counted(const struct source *source, const struct item *item)
 {
-    return item->kind == ITEM_STITCH && (item->count || isdigit((unsigned char)item->name[strlen(item->name) - 1]));
+    struct stitch_words words;
+
+    if (item->kind > ITEM_STITCH)
+        return false;
+    words = item_words(source, item);
+    return words.count || words.figures.source || isdigit((unsigned char)words.name[words.length - 1]);
 }
 
 static void warn_repeat(struct parse *parse, struct span first, struct span last, const char *end)
@@ -175,21 +180,22 @@ static void warn_repeat(struct parse *parse, struct span first, struct span last
 static struct item *repeat_to_end(struct parse *parse, struct item *first)
 {
     for (struct item *item = first; item; item = item->next) {
-        enum until_kind kind = item->until.kind;
+        struct until until = item_until(parse->source, item);
+        enum until_kind kind = until.kind;
         struct item *group;
 
-        if (item->kind != ITEM_STITCH || (kind != UNTIL_ONCE && (item == first || !is_counted(item))))
+        if (item->kind > ITEM_STITCH || (kind != UNTIL_ONCE && (item == first || !is_counted(parse->source, item))))
             return first;
         if (kind == UNTIL_ONCE)
             continue;
         if (kind == UNTIL_TIMES)
             return first;
-        warn_repeat(parse, first->span, (struct span){item->span.source, item->span.start, item->until.span.start},
+        warn_repeat(parse, item_span(parse->source, first), (struct span){parse->source, item->start, until.span.start},
                     kind == UNTIL_LAST ? "to last .. sts" : "to end");
-        group = item_group(parse, ITEM_REP_FROM, span_join(first->span, item->span), first, item->until);
+        group = item_group(parse, ITEM_REP_FROM, span_join(item_span(parse->source, first), item_span(parse->source, item)), first, until);
         group->next = item->next;
         item->next = NULL;
-        item->until = (struct until){.span = item->span};
+        item->more->until = (struct until){.span = item_span(parse->source, item)};
         return group;
     }
     return first;
@@ -197,12 +203,13 @@ static struct item *repeat_to_end(struct parse *parse, struct item *first)
 
 struct item *syntax_whole(struct parse *parse, struct span rep, struct item *first, struct until until, struct item *tail)
 {
+    struct span begin = item_span(parse->source, first);
     struct item *last = first, *group;
 
     while (last->next)
         last = last->next;
-    warn_repeat(parse, first->span, last->span, "to end");
-    group = item_group(parse, ITEM_REP_FROM, span_join(first->span, rep), first, until);
+    warn_repeat(parse, begin, item_span(parse->source, last), "to end");
+    group = item_group(parse, ITEM_REP_FROM, span_join(begin, rep), first, until);
     group->next = tail;
     return group;
 }

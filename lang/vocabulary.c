@@ -49,11 +49,11 @@ static bool find(const struct eval *eval, const struct module *module, const cha
     return false;
 }
 
-static void unknown(struct eval *eval, const struct module *module, const char *word, struct span span)
+static void unknown(struct eval *eval, const struct module *module, const char *word, unsigned start)
 {
     struct nearest nearest = nearest_to(word);
+    struct span span = {module->source, start, start + (unsigned)strlen(word)};
 
-    span.end = span.start + (unsigned)strlen(word);
     if (refused_word(eval->diag, word, span)) {
         eval->refused = diag_line_around(span);
         return;
@@ -75,10 +75,10 @@ static void unknown(struct eval *eval, const struct module *module, const char *
         diag_hint(eval->diag, "stitches are k, p, and your own: `stitch T { kx = .. }`");
 }
 
-bool vocabulary_stitch(struct eval *eval, const struct module *module, const char *word, struct span span,
+bool vocabulary_stitch(struct eval *eval, const struct module *module, const char *word, size_t length, unsigned start,
                        stitch_id *id, long long *count)
 {
-    size_t length = strlen(word), digits = 0;
+    size_t digits = 0;
 
     *count = -1;
     if (find(eval, module, word, length, id))
@@ -91,6 +91,6 @@ bool vocabulary_stitch(struct eval *eval, const struct module *module, const cha
         *count = digits > 9 ? 999999999 : strtoll(word + length - digits, NULL, 10);
         return true;
     }
-    unknown(eval, module, word, span);
+    unknown(eval, module, arena_copy(eval->arena, word, length), start);
     return false;
 }

@@ -7,6 +7,7 @@
 
 /* `k2`, `purl`, `t`: the stitch and the number in the word (-1: none). False
  * after an error. */
-bool vocabulary_stitch(struct eval *, const struct module *, const char *word, struct span, stitch_id *, long long *count);
+bool vocabulary_stitch(struct eval *, const struct module *, const char *word, size_t length, unsigned start,
+                       stitch_id *, long long *count);
 
 #endif

@@ -101,13 +101,29 @@ large 'print "Cast on 1000000\nRow 1: *k1, p1; rep from *"' 'a million stitches 
 large 'print "swatch each (x, y) in 1000 by 1000 : (x + y) mod 12 < 6 ? P : K"' 'a formula for a million stitches' '1000 x 1000'
 large 'printf "Cast on 200000\nRow 1: "; for (i = 0; i < 100000; i++) printf "k1, p1, "; print ""' 'a row of a million letters' '200000 x 1'
 
-# 32 bytes of memory for each of a million stitches, and what any program needs.
+# 32 bytes of memory for each of a million stitches, and what a single one needs.
 # The sanitizers' own memory is beyond any limit.
+within() {
+    limit=$1
+    shift
+    sh -c "ulimit -v $limit && exec \"\$@\"" sh "$@"
+}
+lean() {
+    make "$1"
+    exits 0 "$2: 32 bytes for each of a million stitches" within $((base + 31250)) "$dump" --size "$work/x.knit"
+}
 if grep -aq __asan_init "$dump"; then
-    skip 'a million stitches in 64 MB' 'built with the address sanitizer'
+    skip 'memory for a million stitches' 'built with the address sanitizer'
 else
-    make 'print "use miura from std\nswatch fill(miura, 1200, 851)"'
-    exits 0 'a million stitches in 64 MB' sh -c "ulimit -v 65536; exec '$dump' --size '$work/x.knit'"
+    make 'print "swatch K"'
+    base=1024
+    until within $base "$dump" --size "$work/x.knit" >"$work/out" 2>&1 || [ $base -gt 65536 ]; do
+        base=$((base + 256))
+    done
+    lean 'print "use miura from std\nswatch fill(miura, 1200, 851)"' 'a motif'
+    rows='print "Cast on 1000"; for (i = 1; i <= 1000; i++) { printf "Row %d:", i; for (j = 1; j <= 1000; j += n)'
+    lean "$rows { n = 1; printf \" %s1,\", i * j % 7 < 3 ? \"k\" : \"p\" } print \"\" }" 'rows of k1, p1'
+    lean "$rows { n = 2; printf \" %s 2,\", i * j % 7 < 3 ? \"knit\" : \"purl\" } print \"\" }" 'rows of knit 2, purl 2'
 fi
 
 finish
