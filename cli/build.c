@@ -4,7 +4,12 @@
 
 #include "cli/build.h"
 
+#ifdef HAVE_LINK_H
+#include <elf.h>
+#include <link.h>
+#endif
 #include <stdio.h>
+#include <string.h>
 #include <sys/utsname.h>
 
 #include "output/report.h"
@@ -46,16 +51,73 @@ void build_describe(cJSON *object)
     add_machine(object);
 }
 
-void build_hash(struct file_log *log, char sha256[FILE_HASH])
+/* ---- which program ---- */
+
+#ifdef HAVE_LINK_H
+enum { NOTE_ALIGNMENT = 4 };
+
+static size_t aligned(size_t size)
 {
+    return (size + NOTE_ALIGNMENT - 1) / NOTE_ALIGNMENT * NOTE_ALIGNMENT;
+}
+
+/* Writes the build id among these notes; false if it is not there. */
+static bool find_id(const char *note, size_t size, char id[FILE_HASH])
+{
+    static const char owner[] = "GNU";
+    ElfW(Nhdr) head;
+    while (size >= sizeof head) {
+        memcpy(&head, note, sizeof head);
+        const char *name = note + sizeof head;
+        const unsigned char *bytes = (const unsigned char *)name + aligned(head.n_namesz);
+        if (head.n_type == NT_GNU_BUILD_ID && head.n_namesz == sizeof owner && memcmp(name, owner, sizeof owner) == 0) {
+            for (size_t i = 0; i < head.n_descsz && 2 * i + 2 < FILE_HASH; i++)
+                snprintf(id + 2 * i, 3, "%02x", bytes[i]);
+            return true;
+        }
+        size_t whole = sizeof head + aligned(head.n_namesz) + aligned(head.n_descsz);
+        if (whole > size)
+            break;
+        note += whole;
+        size -= whole;
+    }
+    return false;
+}
+
+/* For dl_iterate_phdr, whose first object is the program: looks at no other. */
+static int see_program(struct dl_phdr_info *info, size_t size, void *id)
+{
+    (void)size;
+    for (int i = 0; i < info->dlpi_phnum; i++) {
+        const ElfW(Phdr) *part = &info->dlpi_phdr[i];
+        if (part->p_type == PT_NOTE && find_id((const char *)(info->dlpi_addr + part->p_vaddr), part->p_memsz, id))
+            break;
+    }
+    return 1;
+}
+#endif
+
+static void hash_program(char sha256[FILE_HASH])
+{
+    struct file_log log = {0};
     FILE *program = fopen("/proc/self/exe", "rb");
-    struct file *hasher = program ? file_hasher(log) : NULL;
+    struct file *hasher = program ? file_hasher(&log) : NULL;
     char buffer[1 << 15];
-    sha256[0] = '\0';
     for (size_t n; hasher && (n = fread(buffer, 1, sizeof buffer, program)) > 0;)
         file_write(hasher, buffer, n);
     if (hasher)
         file_hash(hasher, sha256);
     if (program)
         fclose(program);
+    file_log_free(&log);
+}
+
+void build_id(char id[FILE_HASH])
+{
+    id[0] = '\0';
+#ifdef HAVE_LINK_H
+    dl_iterate_phdr(see_program, id);
+#endif
+    if (!id[0])
+        hash_program(id);
 }

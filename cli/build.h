@@ -9,7 +9,8 @@
 /* Adds "weft", "schema", "compiler", "flags", "libraries", "machine" to an object. */
 void build_describe(cJSON *object);
 
-/* SHA-256 of the running program; empty where the system does not show it. */
-void build_hash(struct file_log *log, char sha256[FILE_HASH]);
+/* What tells the running program from any other build: its GNU build id, which the linker takes from all of it, in
+ * hexadecimal; where it has none its SHA-256; empty where the system shows neither. */
+void build_id(char id[FILE_HASH]);
 
 #endif

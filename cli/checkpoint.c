@@ -2,7 +2,7 @@
  * What a run would lose if it were killed: growth steps in, a file to go on
  * from out.  The file is a line, the key, and for each step a record (all but
  * x), x, and the SHA-256 of both, in the machine's own form: the key holds the
- * program's hash. */
+ * program's build id. */
 #include <config.h>
 
 #include "cli/checkpoint.h"
@@ -25,7 +25,7 @@ static void make_key(struct checkpoint *c, const struct report *report, const st
     struct file_log log = {0};
     char program[FILE_HASH], line[200];
     cJSON *root = cJSON_CreateObject();
-    build_hash(&log, program);
+    build_id(program);
     report_describe(root, &log, report);
     cJSON_DeleteItemFromObject(cJSON_GetObjectItem(root, "scene"), "file");
     long threads = options->threads ? options->threads : sysconf(_SC_NPROCESSORS_ONLN);

@@ -115,12 +115,12 @@ static char *describe(struct run *run, const char *path)
 {
     struct file_log *log = &run->outputs.log;
     struct report report = run_report(run);
-    char sha256[FILE_HASH];
+    char id[FILE_HASH];
     cJSON *root = cJSON_CreateObject();
     json_integer(root, "manifest", MANIFEST_SCHEMA);
     build_describe(root);
-    build_hash(log, sha256);
-    json_text(root, "binary_sha256", sha256);
+    build_id(id);
+    json_text(root, "build_id", id);
     add_command(root, run, path);
     add_sources(root, log, run->script.scene);
     report_describe(root, log, &report);

@@ -14,7 +14,7 @@ enum { MANIFEST_SCHEMA = 1 };       /* changes when a reader of manifests must *
 char *manifest_path(const struct scene *scene, const char *extension);
 
 /* Writes the manifest after all outputs:
- *   weft ... machine  what ran (build.h), binary_sha256
+ *   weft ... machine  what ran (build.h), build_id
  *   command           arguments, folder (the working folder, from the manifest's), weft_path, threads
  *   sources           path and sha256 of the script and what it uses
  *   scene, parameters as in the report

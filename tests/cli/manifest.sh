@@ -41,7 +41,11 @@ holds 'its manifest stands beside the report' "$work/a/out" x.glb x.pvd x_00.vtp
 is 'version' "$m" weft "$("$WEFT" version | sed 's/weft //')"
 check 'compiler' json "$m" compiler
 check 'libraries' json "$m" libraries.cholmod
-is 'the program' "$m" binary_sha256 "$(sha256sum "$WEFT" | sed 's/ .*//')"
+if LC_ALL=C readelf -n "$WEFT" >"$work/notes" 2>/dev/null && grep -q 'Build ID' "$work/notes"; then
+    is 'the build' "$m" build_id "$(sed -n 's/.*Build ID: //p' "$work/notes")"
+else
+    skip 'the build' 'no readelf, or a linker without build ids'
+fi
 is 'the command' "$m" command.arguments '["sub/rib.knit","-q","-D","w=1","-j","2"]'
 is 'its folder' "$m" command.folder ..
 is 'threads' "$m" command.threads 2
@@ -95,9 +99,16 @@ out 'and counted' '^7 of 8 outputs are identical$'
 sed 's,"path":	"c.txt",&x,;s,c.txt"x,d.txt",' "$m" >"$work/a/out/wrong.json"
 exits 1 'an output that was not written' "$WEFT" run -q --from "$work/a/out/wrong.json"
 out 'is named, too' '^d.txt: was not written$'
-sed 's/"binary_sha256":	"./&x/' "$m" >"$work/a/out/wrong.json"
+sed 's/"build_id":	"./&x/' "$m" >"$work/a/out/wrong.json"
 exits 0 'another build' "$WEFT" run -q --from "$work/a/out/wrong.json"
 err 'is said' 'made by another build'
+if objcopy --remove-section=.note.gnu.build-id "$WEFT" "$work/without" 2>/dev/null; then
+    echo 'swatch K' >"$work/w.knit"
+    exits 0 'a program without a build id' "$work/without" run "$work/w.knit" -q -o "$work/w.json"
+    is 'is told by its own hash' "$work/w.manifest.json" build_id "$(sha256sum "$work/without" | sed 's/ .*//')"
+else
+    skip 'a program without a build id' 'no objcopy'
+fi
 echo '# more' >>"$work/d/lib.knit"
 exits 4 'a file that was changed' "$WEFT" run --from "$work/d/r.manifest.json"
 err 'is named' "'lib.knit' is not the file the run was made with"
