@@ -154,7 +154,7 @@ static enum status check_built(const struct outputs *outputs, const struct outpu
         return STATUS_DONE;
     print_place(outputs->scene, output, bad ? "error" : "warning");
     fprintf(stderr, "this weft cannot write the page '%s': npm or its registry was missing when it was built "
-                    "(README.md, 'The page')\n", output->path);
+                    "(docs/formats.md, 'The page')\n", output->path);
     return bad ? status_of(output) : STATUS_DONE;
 }
 

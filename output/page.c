@@ -288,6 +288,7 @@ static char *data_text(const struct page *page, const struct fold_record *record
     json_integer(root, "columns", scene->grid->columns);
     json_integer(root, "rows", scene->grid->rows);
     json_integer(root, "per_stitch", page->per_stitch);
+    json_integer(root, "every", page->stride);
     json_number(root, "width", scene->gauge.width);
     json_number(root, "height", scene->gauge.height);
     add_stitches(root, scene);

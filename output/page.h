@@ -4,8 +4,8 @@
  * in the binary; here the swatch's data are put into it.
  *
  * The data are one JSON object in <script id="weft-data">: the report's words
- * for scene, energies, steps and parameters; the colours that pictures have
- * ("palettes": of each stitch, "scales": from low to high, "colorings": fields
+ * for scene, energies, steps ("every": one in so many is there) and parameters;
+ * the colours that pictures have ("palettes": of each stitch, "scales": from low to high, "colorings": fields
  * with their scale and its ends); and "blob", which holds, packed (page_pack.h),
  * the grid's stitches (a byte each) and then the fields that "fields" lists,
  * each over all steps between its own low and high: x, y, z at points, mean,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A browser and a page of the rib example in; a line "pass NAME" or "fail NAME"
 // for each thing a person would try, then "done", out.
-// node browser.js CHROMIUM PAGE FOLDER-WITH-PLAYWRIGHT
+// node browser.js CHROMIUM PAGE FOLDER-WITH-PLAYWRIGHT PAGE-OF-101-STEPS
 const { createRequire } = require("node:module");
 const { pathToFileURL } = require("node:url");
-const [, , executablePath, path, modules] = process.argv;
+const [, , executablePath, path, modules, thinned] = process.argv;
 const { chromium } = createRequire(`${modules}/package.json`)("playwright-core");
 
 const flags = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
@@ -17,14 +17,14 @@ function expect(name, holds) {
 }
 
 // Opens the page; troubles collects errors and every request but the page's own.
-async function open(browser, options = {}) {
+async function open(browser, options = {}, file = path) {
     const page = await browser.newPage({ viewport: { width: 1100, height: 800 }, ...options });
     page.setDefaultTimeout(patience);
     const troubles = [];
     page.on("console", (message) => message.type() === "error" && troubles.push(message.text()));
     page.on("pageerror", (error) => troubles.push(error.message));
     page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || troubles.push(request.url()));
-    await page.goto(pathToFileURL(path).href);
+    await page.goto(pathToFileURL(file).href);
     return { page, troubles };
 }
 
@@ -160,6 +160,9 @@ async function tryPlain(browser) {
     expect("the chart and the numbers", await page.locator("#chart canvas").isVisible() && /bending/.test(await text(page, "energies")));
     await page.locator("#time").fill("0");
     expect("and no error", troubles.length === 0 && /total\s+0/.test(await text(page, "energies")));
+    expect("all steps are there", await text(page, "ending") === "converged");
+    const { page: other } = await open(browser, {}, thinned);
+    expect("of more than 50 steps it says which", await text(other, "ending") === "converged; one growth step in 3 is shown");
 }
 
 // A browser with these flags; whatever happens, it is closed.

@@ -16,6 +16,8 @@ cp page.html once.html
 exits 0 'and again' "$WEFT" "a <b> & c.knit" -q -o page.html
 check 'the same bytes' cmp once.html page.html
 check 'the title is the file' grep -Fx 'a &#60;b> &#38; c.knit' page.html
+printf 'swatch tile(beside(K, P), 2, 4)\nsolve { steps = 101; accuracy = 50%%; tolerance = 0.001 }\n' >many.knit
+exits 0 'one of many steps' "$WEFT" many.knit -q -o many.html
 check 'data end no script' test "$(grep -c '</script>' page.html)" = 2
 
 # The size depends on stitches, steps and the folded shape, little on how closely it is solved.
@@ -37,6 +39,7 @@ elif [ -z "$browser" ]; then
 else
     mkdir "$work/tmp"           # where the browser keeps what it goes by
     TMPDIR=$work/tmp node "$WEFT_SOURCE/tests/page/browser.js" "$browser" "$work/page.html" "$WEFT_SOURCE/viewer" \
+        "$work/many.html" \
         >"$work/tests" 2>"$work/trouble" </dev/null
     while read -r result name; do
         case $result in

@@ -21,15 +21,16 @@ const endings = {
     iteration_limit: "not converged: the limit of iterations was reached",
 };
 
-export function summary({ columns, rows, result, steps }) {
+export function summary({ columns, rows, result, steps, every }) {
     const percent = (share) => `${number(100 * share)} %`;
+    const thinned = every > 1 && `one growth step in ${every} is shown`;
     const size = `${columns} stitches \u00d7 ${rows} rows`;
     if (result.status === "stopped")
-        return [size, `stopped after ${percent(steps.at(-1).growth)} of the growth`];
+        return [size, [`stopped after ${percent(steps.at(-1).growth)} of the growth`, thinned].filter(Boolean).join("; ")];
     const words = `${size}, folded to ${percent(result.extent_x)} of the width and ` +
         `${percent(result.extent_y)} of the height, ${number(result.extent_z)} deep`;
     const ending = endings[result.status] ?? result.status;
-    return [words, [ending, result.remark].filter(Boolean).join("; ")];
+    return [words, [ending, result.remark, thinned].filter(Boolean).join("; ")];
 }
 
 // ---- energies ----
