@@ -105,7 +105,7 @@ static bool rows_can(const struct pattern *p)
 
 static void write_body(struct text *text, const struct pattern *p)
 {
-    static const struct written_style style = {.open = true, .indent = "  "};
+    static const struct written_style style = {.words = &dictionary_plain, .open = true, .indent = "  "};
     struct text rows = {.arena = text->arena};
     bool can = rows_can(p), must = p->grid->columns > LIMIT_LINE / 2;
     if (can)

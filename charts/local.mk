@@ -3,6 +3,7 @@ noinst_LIBRARIES += libcharts.a
 libcharts_a_SOURCES = \
     charts/beds.c charts/beds.h \
     charts/csv.c charts/csv.h \
+    charts/dictionary.c charts/dictionary.h \
     charts/drawn.c charts/drawn.h \
     charts/drawn_body.c charts/drawn_body.h \
     charts/import.c charts/import.h \

@@ -19,17 +19,19 @@ struct runs {
     int              n, nruns;
     int             *start;         /* (nruns + 1) */
     int             *run_of;        /* (n) the run a stitch lies in */
+    int              step;          /* repeats have a multiple of this many runs: knit and purl take turns */
 };
 
 static struct runs find_runs(struct arena *arena, const stitch_id *worked, int n)
 {
-    struct runs runs = {.worked = worked, .n = n};
+    struct runs runs = {.worked = worked, .n = n, .step = 2};
     runs.start = arena_array(arena, int, (size_t)n + 1);
     runs.run_of = arena_array(arena, int, (size_t)n);
     for (int i = 0; i < n; i++) {
         if (i == 0 || worked[i] != worked[i - 1])
             runs.start[runs.nruns++] = i;
         runs.run_of[i] = runs.nruns - 1;
+        runs.step = worked[i] > STITCH_P ? 1 : runs.step;
     }
     runs.start[runs.nruns] = n;
     return runs;
@@ -38,6 +40,11 @@ static struct runs find_runs(struct arena *arena, const stitch_id *worked, int n
 static int run_length(const struct runs *runs, int run)
 {
     return runs->start[run + 1] - runs->start[run];
+}
+
+static bool same_stitch(const struct runs *runs, int a, int b)
+{
+    return runs->worked[runs->start[a]] == runs->worked[runs->start[b]];
 }
 
 /* ---- a part of a row ---- */
@@ -64,8 +71,9 @@ static int part_length(struct part p, int i)
 /* How often the runs i .. i+u-1 follow each other from i on. */
 static int group_times(struct part p, int i, int u)
 {
-    int nruns = part_runs(p), same = 0;
-    while (i + u + same < nruns && part_length(p, i + same) == part_length(p, i + u + same))
+    int nruns = part_runs(p), same = 0, first = p.runs->run_of[p.from] + i;
+    while (i + u + same < nruns && part_length(p, i + same) == part_length(p, i + u + same) &&
+           same_stitch(p.runs, first + same, first + u + same))
         same++;
     return same / u + 1;
 }
@@ -74,7 +82,7 @@ static int group_times(struct part p, int i, int u)
 static bool find_group(struct part p, int i, int *unit, int *times)
 {
     int most = 0;
-    for (int u = 2; u <= GROUP_RUNS && i + 2 * u <= part_runs(p); u += 2) {
+    for (int u = 2; u <= GROUP_RUNS && i + 2 * u <= part_runs(p); u += p.runs->step) {
         int n = group_times(p, i, u), saved = (n - 1) * u * COST_RUN - COST_GROUP;
         if (saved > most && (n > 2 || u > 2)) {
             most = saved;
@@ -125,14 +133,15 @@ static void append(struct row_writer *w, const char *words)
     w->column += (int)strlen(words);
 }
 
-static const char *letter(struct part p, int i)
+static const struct entry *entry_of(const struct row_writer *w, struct part p, int i)
 {
-    return p.runs->worked[p.runs->start[p.runs->run_of[p.from] + i]] == STITCH_K ? "k" : "p";
+    return &w->words->entry[p.runs->worked[p.runs->start[p.runs->run_of[p.from] + i]]];
 }
 
 static void write_run(struct row_writer *w, struct part p, int i, const char *before, const char *behind)
 {
-    put(w, arena_printf(w->text->arena, "%s%s%d%s", before, letter(p, i), part_length(p, i), behind));
+    const struct entry *entry = entry_of(w, p, i);
+    put(w, arena_printf(w->text->arena, "%s%s%s%d%s", before, entry->name, entry->apart ? " " : "", part_length(p, i), behind));
 }
 
 static const char *times_words(struct arena *arena, int n)
@@ -193,11 +202,11 @@ static void offer_stretch(const struct runs *runs, struct star *best, int first,
 {
     int from = runs->start[first], to = runs->start[last + u];
     int period = runs->start[first + u] - from;
-    if (first > 0) {
+    if (first > 0 && same_stitch(runs, first - 1, first + u - 1)) {
         int left = run_length(runs, first - 1), other = run_length(runs, first + u - 1);
         from -= left < other ? left : other;
     }
-    if (last + u < runs->nruns) {
+    if (last + u < runs->nruns && same_stitch(runs, last, last + u)) {
         int right = run_length(runs, last + u), other = run_length(runs, last);
         to += right < other ? right : other;
     }
@@ -210,10 +219,11 @@ static void offer_stretch(const struct runs *runs, struct star *best, int first,
 static struct star find_star(const struct runs *runs)
 {
     struct star best = {0};
-    for (int u = 2; u <= STAR_RUNS && u < runs->nruns; u += 2)
+    for (int u = 2; u <= STAR_RUNS && u < runs->nruns; u += runs->step)
         for (int first = 0; first + u < runs->nruns;) {
             int last = first;
-            while (last + u < runs->nruns && run_length(runs, last) == run_length(runs, last + u))
+            while (last + u < runs->nruns && run_length(runs, last) == run_length(runs, last + u) &&
+                   same_stitch(runs, last, last + u))
                 last++;
             if (last > first)
                 offer_stretch(runs, &best, first, last, u);
@@ -251,7 +261,7 @@ void row_write(struct row_writer *w, const stitch_id *worked, int n)
     struct runs runs = find_runs(w->text->arena, worked, n);
     struct part whole = {&runs, 0, n};
     if (runs.nruns == 1) {
-        put(w, worked[0] == STITCH_K ? "knit" : "purl");
+        put(w, w->words->entry[worked[0]].row);
         return;
     }
     struct star star = w->open ? (struct star){0, whole_period(&runs), 0, 0} : find_star(&runs);

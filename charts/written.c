@@ -51,7 +51,7 @@ static void work_rows(struct writer *w)
             if (w->style->round || row % 2 == 0)
                 *to = grid_at(w->grid, columns - 1 - i, row);
             else
-                *to = grid_at(w->grid, i, row) == STITCH_K ? STITCH_P : STITCH_K;
+                *to = (stitch_id)w->style->words->entry[grid_at(w->grid, i, row)].on_ws;
         }
 }
 
@@ -204,6 +204,7 @@ static void write_line(struct writer *w, int first, int end)
     write_head(w, first, end);
     struct row_writer row = {
         .text = w->text,
+        .words = w->style->words,
         .indent = arena_printf(w->text->arena, "%s    ", w->style->indent),
         .column = (int)(w->text->length - begin),
         .open = w->style->open,
@@ -276,9 +277,10 @@ static bool repeats(const struct grid *g, int period, int edge)
 }
 
 /* Would the words be the same with one repeat more? */
-static bool words_fit(struct arena *arena, const struct grid *g, int period, int edge, bool round)
+static bool words_fit(struct arena *arena, const struct grid *g, const struct dictionary *dictionary, int period, int edge,
+                      bool round)
 {
-    const struct written_style style = {.round = round, .uncounted = true, .indent = ""};
+    const struct written_style style = {.words = dictionary, .round = round, .uncounted = true, .indent = ""};
     struct text words = {.arena = arena}, wider = {.arena = arena};
     written_rows(&words, g, &style);
     written_rows(&wider, grid_stretch(arena, g, edge, period, 2), &style);
@@ -286,24 +288,24 @@ static bool words_fit(struct arena *arena, const struct grid *g, int period, int
 }
 
 /* `Multiple of 4 sts + 2.`, where at least two repeats stand side by side. */
-static void write_multiple(struct text *text, const struct grid *g, bool round)
+static void write_multiple(struct text *text, const struct grid *g, const struct dictionary *words, bool round)
 {
     for (int edge = 0; edge <= EDGE && g->rows <= SMALL / g->columns; edge++)
         for (int period = 2; period <= REPEAT && 2 * period + 2 * edge <= g->columns; period++) {
             int plus = g->columns - (g->columns - 2 * edge) / period * period;
             if (!repeats(g, period, edge) || repeats(g, 1, edge))
                 continue;
-            if (words_fit(text->arena, g, period, edge, round))
+            if (words_fit(text->arena, g, words, period, edge, round))
                 text_print(text, plus ? "Multiple of %d sts + %d.\n" : "Multiple of %d sts.\n", period, plus);
             return;
         }
 }
 
-void written_pattern(struct text *text, const struct grid *grid, bool round)
+void written_pattern(struct text *text, const struct grid *grid, const struct dictionary *words, bool round)
 {
-    write_multiple(text, grid, round);
+    write_multiple(text, grid, words, round);
     text_print(text, "Cast on %d st%s%s.\n", grid->columns, grid->columns == 1 ? "" : "s",
                round ? "; join to work in the round" : "");
-    written_rows(text, grid, &(struct written_style){.round = round, .indent = ""});
+    written_rows(text, grid, &(struct written_style){.words = words, .round = round, .indent = ""});
     text_print(text, "Bind off.\n");
 }

@@ -5,10 +5,12 @@
 
 #include <stdbool.h>
 
+#include "charts/dictionary.h"
 #include "charts/text.h"
 #include "lang/grid.h"
 
 struct written_style {
+    const struct dictionary *words;
     bool        round;      /* worked in the round: every row from the right side */
     bool        open;       /* rows for any multiple of the width, without their count */
     bool        uncounted;  /* rows without `(22 sts)` */
@@ -16,8 +18,8 @@ struct written_style {
 };
 
 /* A whole pattern, from `Multiple of` (where the words fit other widths, too) to `Bind off`.
- * The grid holds K and P alone. */
-void written_pattern(struct text *, const struct grid *, bool round);
+ * Without the definitions of stitches. */
+void written_pattern(struct text *, const struct grid *, const struct dictionary *, bool round);
 
 /* Its rows. */
 void written_rows(struct text *, const struct grid *, const struct written_style *);

@@ -9,6 +9,30 @@
 #include "cli/deliver.h"
 #include "cli/script.h"
 
+/* Is there more in it than knit, and purl that is knit on the other side? */
+static bool has_own_stitches(const struct scene *scene)
+{
+    long long plain = grid_count(scene->grid, STITCH_K) + grid_count(scene->grid, STITCH_P);
+    return plain < (long long)scene->grid->columns * scene->grid->rows || scene->stitch[STITCH_K].ws != STITCH_P ||
+           scene->stitch[STITCH_P].ws != STITCH_K;
+}
+
+static enum status write_pattern(struct text *text, const struct scene *scene, bool round)
+{
+    bool own = has_own_stitches(scene);
+    struct dictionary words = own ? dictionary_of(scene->stitch, scene->nstitches) : dictionary_plain;
+    int unshown = round ? -1 : dictionary_unshown(&words, scene->grid);
+    if (unshown >= 0) {
+        fprintf(stderr, "weft: %s: no stitch worked on the wrong side shows the stitch %s (`ws = %s` in another says which; --round writes rounds)\n",
+                scene->file, scene->stitch[unshown].name, scene->stitch[unshown].name);
+        return STATUS_SCRIPT;
+    }
+    if (own)
+        dictionary_define(text, scene->stitch, scene->nstitches);
+    written_pattern(text, scene->grid, &words, round);
+    return STATUS_DONE;
+}
+
 enum status command_write(const struct options *options)
 {
     /* The outputs are the text's, not the script's. */
@@ -19,11 +43,9 @@ enum status command_write(const struct options *options)
     const struct scene *scene = script.scene;
     struct text text = {.arena = &script.arena};
     if (status == STATUS_DONE)
-        status = script_knit_and_purl(scene);
-    if (status == STATUS_DONE) {
-        written_pattern(&text, scene->grid, options->round || scene->round);
+        status = write_pattern(&text, scene, options->round || scene->round);
+    if (status == STATUS_DONE)
         status = deliver_script(options, &text, scene->file, scene->grid);
-    }
     script_free(&script);
     return status;
 }

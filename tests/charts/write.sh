@@ -123,9 +123,17 @@ TEXT
 exits 0 'to a file' "$WEFT" write "$work/x.knit" -o "$work/pattern.knit"
 check 'the same text' sh -c '"$1" write "$2/x.knit" | diff - "$2/pattern.knit"' - "$WEFT" "$work"
 exits 3 'a script with an error' "$WEFT" write "$work/flag.txt"
-printf 'stitch T { kx = 1 }\nswatch tile(T, 2, 2)\n' >"$work/own.knit"
-exits 3 'a stitch of the script itself' "$WEFT" write "$work/own.knit"
-err 'is named' 'the stitch T is neither knit nor purl'
+
+# Stitches of the script's own come with their definitions.
+writes 'an own stitch' 'stitch T { kx = -0.2 / 3; ky = 1.4; symbol = "t" }|Cast on 12|Row 1: *t2, p1; rep from *|Row 2: *T, k2; rep from *|Row 3: t' <<'TEXT'
+stitch T { kx = -0.06666666666666667; ky = 1.4; symbol = "t" }
+Multiple of 3 sts.
+Cast on 12 sts.
+Row 1 (RS): *T 2, p1; rep from * to end. (12 sts)
+Row 2 (WS): *T 1, k2; rep from * to end. (12 sts)
+Row 3 (RS): T. (12 sts)
+Bind off.
+TEXT
 
 # ---- there and back ----
 
@@ -149,6 +157,19 @@ for file in "$work"/random/*.txt "$work/flag.txt"; do
     back "$work/x.knit" && back "$work/x.knit" --round || bad=$((bad + 1))
 done
 check 'random grids come back' test "$bad" = 0
+
+# Own stitches, also one called as knit is, one with a number in its name, ones that change on the wrong side.
+own='stitch T { kx = 1; ws = S }|stitch S { ky = 2; twist = 1e-9; ws = T; symbol = "k" }|stitch purl { kx = 3 }|stitch T2 { symbol = "#" }'
+for formula in '(x * x + 3 * y * y + x * y) mod 6' '(x + y) mod 6' '(x + 2 * floor(y / 4)) mod 6'; do
+    printf '%s\n' "$own" 'stitch K { ws = K }|stitch P { ws = P }' "swatch each (x, y) in 18 by 16 : [K, P, T, S, purl, T2][$formula]" | tr '|' '\n' >"$work/own.knit"
+    check "own stitches flat: $formula" back "$work/own.knit"
+    check 'their symbols, too' sh -c '"$1" chart "$2/own.knit" >"$2/a" && "$1" chart "$2/written.knit" | diff "$2/a" -' - "$WEFT" "$work"
+    check "own stitches in the round: $formula" back "$work/own.knit" --round
+done
+printf 'stitch T { ws = S }\nstitch S { }\nswatch above(K, T)\n' >"$work/own.knit"
+exits 3 'a stitch that no row of the wrong side can show' "$WEFT" write "$work/own.knit"
+err 'is named' 'no stitch worked on the wrong side shows the stitch T'
+check 'rounds can' back "$work/own.knit" --round
 
 # Neither a wide nor a high fabric takes long.
 printf 'swatch each (x, y) in 900 by 900 : (x * x + 3 * y * y + x * y) mod 7 < 3 ? P : K\n' >"$work/large.knit"
