@@ -15,7 +15,8 @@
 
 void streams_open(void)
 {
-    signal(SIGPIPE, SIG_IGN);
+    signal(SIGPIPE, SIG_IGN);   /* a write that fails says so itself, */
+    signal(SIGXFSZ, SIG_IGN);   /* as does one beyond the size a file may have */
     /* A stream that was closed becomes one on which every use fails. */
     for (int fd = 0; fd <= 2; fd++)
         if (fcntl(fd, F_GETFD) < 0)

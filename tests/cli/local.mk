@@ -3,6 +3,7 @@ cli_tests = \
     tests/cli/bootstrap.sh \
     tests/cli/chart.sh \
     tests/cli/check.sh \
+    tests/cli/full.sh \
     tests/cli/interrupt.sh \
     tests/cli/layers.sh \
     tests/cli/list.sh \
