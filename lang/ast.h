@@ -136,6 +136,7 @@ struct row {
     struct span         head;
     enum body_kind      body;
     struct span         body_span;
+    bool                opposite;       /* of what is below */
     struct item        *item;
     struct fabric       fabric;
     struct row_numbers *reference;      /* as row n, as rows 1-4, */

@@ -336,7 +336,8 @@ static bool lower_body(struct eval *eval, struct where where, const struct row *
 
     switch (row->body) {
     case BODY_AS_BELOW:
-        text->as_below = true;
+        text->as_below = !row->opposite;
+        text->as_opposite = row->opposite;
         return true;
     case BODY_AS_ROW:
         return lower_as_row(eval, row, body, from, text);

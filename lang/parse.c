@@ -7,6 +7,7 @@
 
 #include "lang/limits.h"
 #include "lang/scanner.h"
+#include "lang/wording.h"
 
 /* The first bytes of files that are something else, and what they are. */
 static const struct format {
@@ -123,7 +124,7 @@ static const struct {
 } spellings[] = {
     {"\xC2\xA0", ' '},     {"\xE2\x80\xAF", ' '}, {"\xE2\x80\x82", ' '}, {"\xE2\x80\x83", ' '}, {"\xE2\x80\x89", ' '},
     {"\xE2\x80\x8A", ' '}, {"\xE2\x80\x8B", ' '}, {"\xE2\x80\x87", ' '}, {"\xE2\x81\xA0", ' '}, {"\xE3\x80\x80", ' '},
-    {"\xEF\xBB\xBF", ' '}, {"&nbsp;", ' '},       {"&amp;", '&'},        {"&ndash;", '-'},      {"&mdash;", '-'},
+    {"\xE2\x80\xA0", '*'}, {"\xE2\x80\xA1", '*'}, {"\xEF\xBB\xBF", ' '}, {"&nbsp;", ' '},       {"&amp;", '&'},        {"&ndash;", '-'},      {"&mdash;", '-'},
     {"&#8211;", '-'},      {"&#8212;", '-'},      {"&times;", 'x'},      {"&#160;", ' '},       {"&#215;", 'x'},
     {"&lt;", '<'},         {"&gt;", '>'},         {"\\*", '*'},          {"\\[", '['},          {"\\]", ']'},
     {"\\(", '('},          {"\\)", ')'},          {"\\-", '-'},          {"\\#", ' '},
@@ -151,7 +152,7 @@ const char *source_plain(struct arena *arena, const struct source *source)
             at += n - 1;
             break;
         }
-    return text ? text : source->text;
+    return wording_plain(arena, text ? text : source->text, source->size);
 }
 
 struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names,

@@ -63,6 +63,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     struct { double value; int dimension; } number;
     const char *text;
     enum side side;
+    bool opposite;
     struct { enum all_kind kind; bool round; } all;
     struct fabric fabric;
     struct { int of, plus; } parity;
@@ -175,7 +176,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token CROSS            "'x' (times)"
 %token AS_ROW           "'as row'"
 %token <number> AS_NTH_ROW "'as 3rd row'"
-%token AS_BELOW         "'knit the knits and purl the purls'"
+%token <opposite> AS_BELOW "'knit the knits and purl the purls'"
 %token DASH             "'--'"
 %token HOLE             "'{' of a number"
 
@@ -395,6 +396,7 @@ row_statement: row_head ':' row_body    { $$ = stmt_row(parse, @$, syntax_row(pa
 row_head:
   ROW row_sides                         { $$ = syntax_head(parse, $ROW, $2, NULL); }
 | ROW row_sides parts                   { $$ = syntax_head(parse, $ROW, $2, $parts.first); }
+| SIDE ROW parts                        { $$ = syntax_head(parse, $ROW, $SIDE, $parts.first); }
 | ALL                                   { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, NULL, $ALL.kind)); }
 | SETUP row_sides                       { $$ = syntax_head(parse, $SETUP, $2, NULL); $$.setup = true; }
 ;
@@ -420,6 +422,10 @@ part:
 
 row_body:
   elements                              { $$ = (struct row){.item = $1.first}; }
+| STAR items                            { $$ = (struct row){.item = syntax_open_star(parse, @STAR, NULL, $items.first)}; }
+| STAR items check                      { $$ = (struct row){.item = syntax_open_star(parse, @STAR, NULL, $items.first), .check = $check, .check_span = @check}; }
+| elements STAR items                   { $$ = (struct row){.item = syntax_open_star(parse, @STAR, $elements.first, $items.first)}; }
+| elements STAR items check             { $$ = (struct row){.item = syntax_open_star(parse, @STAR, $elements.first, $items.first), .check = $check, .check_span = @check}; }
 | elements check                        { $$ = (struct row){.item = $1.first, .check = $check, .check_span = @check}; }
 | elements REP_ALL until                { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, NULL)}; }
 | elements REP_ALL until check          { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, NULL), .check = $check, .check_span = @check}; }
@@ -430,7 +436,7 @@ row_body:
 | AS_ROW parts times                    { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first, .times = $times.n}; }
 | AS_NTH_ROW                            { $$ = (struct row){.body = BODY_AS_ROW, .reference = ast_row_numbers(parse, @1, expr_number(parse, @1, $1.value, 0), NULL, ALL_NONE)}; }
 | FABRIC                                { $$ = (struct row){.body = BODY_FABRIC, .fabric = $1}; }
-| AS_BELOW                              { $$ = (struct row){.body = BODY_AS_BELOW}; }
+| AS_BELOW                              { $$ = (struct row){.body = BODY_AS_BELOW, .opposite = $1}; }
 ;
 
 elements:

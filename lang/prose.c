@@ -210,6 +210,27 @@ bool prose_stitches_follow(const char *text)
            (isdigit((unsigned char)*next) && !is_rows_word(skip_blanks(next + strspn(next, "0123456789"))));
 }
 
+bool prose_count_follows(const char *text)
+{
+    const char *sts;
+
+    text = skip_blanks(text);
+    sts = skip_blanks(text + strspn(text, "0123456789"));
+    return sts > text && is_stitches_word(sts) && prose_line_ends(sts + word_length(sts));
+}
+
+bool prose_times_follow(const char *text)
+{
+    const char *behind = behind_number(skip_blanks(text));
+
+    return behind && (is_word(behind, "times") || is_word(behind, "time") || is_word(behind, "more"));
+}
+
+bool prose_row_follows(const char *text)
+{
+    return is_rows_word(text) && isdigit((unsigned char)*skip_blanks(text + word_length(text)));
+}
+
 /* Behind the numbers and the side of a row's head; or NULL. */
 static const char *behind_head(const char *text)
 {

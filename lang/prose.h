@@ -21,6 +21,9 @@ bool prose_repeats_rows(const char *text);          /* behind `repeat`: rows, no
 bool prose_fabric_follows(const char *text);        /* "garter st", "k2, p2 rib" */
 bool prose_has_cast_on(const char *text);           /* "20 sts": so many stitches come next */
 bool prose_stitches_follow(const char *text);       /* a row's text, of a list that numbers its rows */
+bool prose_count_follows(const char *text);         /* "24 sts." and no more */
+bool prose_times_follow(const char *text);          /* "3 times", "two more" */
+bool prose_row_follows(const char *text);           /* "row 1" */
 bool prose_pattern_follows(const char *text);       /* a row with its name, a cast-on, a multiple */
 
 /* Where in a sentence "18 rows" stands; 0: nowhere. */

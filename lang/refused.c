@@ -7,7 +7,7 @@
 #include <string.h>
 
 enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE };
-enum { WORDS = 40, LONGEST = 100 };
+enum { WORDS = 64, LONGEST = 100 };
 
 /* Each with the word and what it is. */
 static const struct {
@@ -25,41 +25,51 @@ static const struct {
                    "write the row out, edges and all; or make the panel a motif: `beside(tile(garter, 5, 2), panel, ..)`"},
 };
 
-/* '#' stands for digits, '*' for anything between. */
+/* '#' stands for digits, '*' for anything between; words of a phrase may have commas between them. */
 static const struct {
     const char *what;
     enum reason reason;
     const char *word[WORDS];
 } refused[] = {
+    {"brioche, slipped and knitted together", TOPOLOGY,
+     {"brk*", "brp*", "bark", "burp", "sl#yo*", "brioche"}},
     {"a decrease", TOPOLOGY,
-     {"k#tog*", "p#tog*", "ssk", "sssk", "ssp", "skp*", "sk#p*", "s#kp*", "cdd", "dec*", "tog", "psso*",
-      "decrease*", "ktog"}},
+     {"k#tog*", "p#tog*", "*-k#tog*", "bk#tog*", "slk#tog*", "ssk", "sssk", "ssp", "sssp", "skp*", "sk#p*", "s#kp*", "s#k",
+      "sl*sso", "s#k*sso", "cdd", "dec*", "tog", "psso*", "p#sso", "decrease*", "ktog", "together", "slip slip knit",
+      "slip slip purl"}},
     {"an increase", TOPOLOGY,
-     {"yo", "yo#", "yfwd", "yf", "yrn", "yon", "m#", "m#l", "m#r", "m#p*", "kfb", "kf&b", "pfb", "kfbf", "inc*",
-      "lli", "rli", "increase*", "kfbf#", "k#fb", "m1#*"}},
+     {"yo", "yo#*", "yo-*", "yfwd", "yfd", "yf", "yrn", "yon", "yfon", "yfrn", "y#rn", "wfwd", "wrn", "won", "yarn over",
+      "yarn forward", "yarn round needle", "yarn round", "yarn fwd", "m#*", "make #", "make one", "kfb*", "kf&b", "pfb", "pf&b",
+      "kbf", "pbf", "kfbf#", "k#fb", "p#fb", "k#f&b", "p#f&b", "inc*", "lli", "rli", "llinc", "rlinc", "llpi", "rlpi", "kll",
+      "krl", "kyok", "k#yok#", "pick up", "into front and back", "into the front and back"}},
     {"binding off", TOPOLOGY,
      {"bo", "bo#", "bind"}},
     {"casting on or off", TOPOLOGY,
-     {"cast"}},
+     {"cast", "co", "co#"}},
     {"a slipped stitch", TOPOLOGY,
-     {"sl", "sl#*", "slip*", "s#", "wyif", "wyib", "pwise", "kwise", "yb"}},
+     {"sl", "sl#*", "slip*", "slst", "s#", "s#p", "sp#", "wyif", "wyib", "wyf", "wyb", "ytf", "ytb", "yb", "pwise", "kwise",
+      "purlwise", "knitwise"}},
     {"a twisted stitch", TOPOLOGY,
-     {"ktbl", "k#tbl", "k#-tbl", "ptbl", "p#tbl", "tbl", "tbl*", "through the back*"}},
+     {"ktbl", "k#tbl", "k#-tbl", "ptbl", "p#tbl", "tbl", "tbl*", "k#b-tbl", "ktb", "kb#", "pb#", "k-b", "p-b",
+      "through the back loop", "through back loop", "through", "into the back", "into back"}},
     {"a stitch into the row below", TOPOLOGY,
-     {"k#b"}},
+     {"k#b", "p#b", "k#-b", "p#-b", "k#below", "below"}},
     {"a cable", TOPOLOGY,
-     {"c#f*", "c#b*", "c#l*", "c#r*", "t#f*", "t#b*", "t#l", "t#r", "tw#*", "cr#*", "rt", "lt", "cable*", "cn",
-      "#/#*", "cross*", "twist*"}},
+     {"c#f*", "c#b*", "c#l*", "c#r*", "cf#", "cb#", "t#f*", "t#b*", "t#l", "t#r", "tw#*", "cr#*", "rt", "lt", "rt#", "lt#",
+      "rc", "lc", "rpc", "lpc", "fc", "bc", "fpc", "bpc", "cable*", "cn", "#/#*", "#-st*", "cross*", "twist*"}},
     {"a bobble", TOPOLOGY,
-     {"mb", "bobble*", "nupp*", "popcorn*"}},
+     {"mb", "make bobble", "make a bobble", "bobble*", "nupp*", "popcorn*"}},
     {"a dropped stitch", TOPOLOGY,
      {"drop*"}},
+    {"an elongated stitch", TOPOLOGY,
+     {"kw", "kw#", "k#w#", "ek", "k#-wrap*", "elongated"}},
     {"a short row", SHORT_ROWS,
-     {"w&t", "wrap*", "turn", "w&t*", "ds"}},
+     {"w&t", "w+t", "wrap*", "turn", "w&t*", "ds", "gsr"}},
     {"a bead", TOPOLOGY,
-     {"bead*", "pb", "place"}},
+     {"bead*", "pb", "place", "add bead", "add a bead"}},
     {"a colour", COLOURS,
-     {"mc", "cc", "cc#", "with", "using", "colour*", "color*", "col", "yarn", "change", "switch"}},
+     {"mc", "cc", "cc#", "with", "using", "in a", "in b", "in c", "in mc", "in cc", "colour*", "color*", "col", "yarn", "change",
+      "switch"}},
     {"a marker", MARKERS,
      {"to *m", "to *marker", "until *m", "until *marker", "till *m"}},
     {"a pattern that stands elsewhere", ELSEWHERE,
@@ -87,16 +97,83 @@ static bool matches(const char *pattern, const char *word)
     return !*word;
 }
 
+/* The words from the span on that a phrase has, in small letters and with one blank between; "" where it has one word. */
+static struct span phrase_at(const char *pattern, struct span span, char copy[LONGEST])
+{
+    const char *text = span.source->text;
+    size_t words = 1, n = 0;
+
+    for (const char *blank = strchr(pattern, ' '); blank; blank = strchr(blank + 1, ' '))
+        words++;
+    for (size_t i = 0; words > 1 && !strchr(pattern, '*') && i < words; i++) {
+        size_t length = strcspn(text + span.start + n, " ,\t\r\n.;:()[]*#");
+
+        n += length;
+        if (i + 1 < words)
+            n += strspn(text + span.start + n, " ,\t");
+    }
+    n = n < LONGEST ? n : 0;
+    memcpy(copy, text + span.start, n);
+    copy[n] = '\0';
+    span.end = span.start + (unsigned)n;
+    return span;
+}
+
+/* As `matches`; a blank of the pattern for blanks and commas of the text. */
+static bool phrase_matches(const char *pattern, const char *text)
+{
+    char plain[LONGEST];
+    size_t n = 0;
+
+    for (; *text; text++)
+        if (!strchr(" ,\t", *text))
+            plain[n++] = *text;
+        else if (n && plain[n - 1] != ' ')
+            plain[n++] = ' ';
+    plain[n] = '\0';
+    return matches(pattern, plain);
+}
+
+/* `k2 A`: a letter right behind a number of stitches. */
+static bool is_colour(const char *word, struct span span)
+{
+    unsigned at = span.start;
+
+    while (at > 0 && span.source->text[at - 1] == ' ')
+        at--;
+    return strlen(word) == 1 && strchr("ABCDEF", *word) && at > 0 && at < span.start && isdigit((unsigned char)span.source->text[at - 1]);
+}
+
+static void report(struct diag *diag, const char *word, struct span span, enum reason reason, const char *what)
+{
+    diag_error(diag, reasons[reason].code, span, reasons[reason].text, word, what);
+    if (reasons[reason].hint)
+        diag_hint(diag, "%s", reasons[reason].hint);
+}
+
 bool refused_word(struct diag *diag, const char *word, struct span span)
 {
+    char copy[LONGEST];
+
+    /* Phrases of several words come first: "yarn over" is no yarn. */
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
+        for (int j = 0; j < WORDS && refused[i].word[j]; j++) {
+            struct span phrase = phrase_at(refused[i].word[j], span, copy);
+
+            if (!*copy || !phrase_matches(refused[i].word[j], copy))
+                continue;
+            report(diag, copy, phrase, refused[i].reason, refused[i].what);
+            return true;
+        }
+    if (is_colour(word, span)) {
+        report(diag, word, span, COLOURS, "a colour");
+        return true;
+    }
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
         for (int j = 0; j < WORDS && refused[i].word[j]; j++) {
             if (!matches(refused[i].word[j], word))
                 continue;
-            diag_error(diag, reasons[refused[i].reason].code, span, reasons[refused[i].reason].text, word,
-                       refused[i].what);
-            if (reasons[refused[i].reason].hint)
-                diag_hint(diag, "%s", reasons[refused[i].reason].hint);
+            report(diag, word, span, refused[i].reason, refused[i].what);
             return true;
         }
     return false;
@@ -110,7 +187,7 @@ bool refused_text(struct diag *diag, struct span span)
         struct span word = {span.source, at, at};
         char copy[LONGEST];
 
-        while (word.end < span.end && (isalnum((unsigned char)text[word.end]) || strchr("&/-", text[word.end] ? text[word.end] : ' ')))
+        while (word.end < span.end && (isalnum((unsigned char)text[word.end]) || strchr("&/-+", text[word.end] ? text[word.end] : ' ')))
             word.end++;
         if (word.end == at)
             continue;

@@ -254,7 +254,7 @@ static void put_row(struct writer *w, const struct row *row)
     if (row->body == BODY_AS_ROW)
         PUT("as %s %s", w->noun, count(w, row->reference->first));
     else if (row->body == BODY_AS_BELOW)
-        PUT("knit the knits and purl the purls");
+        PUT(row->opposite ? "purl the knits and knit the purls" : "knit the knits and purl the purls");
     else
         put_items(w, row->item, true);
     PUT("%s", w->stop);

@@ -56,6 +56,13 @@ bool scanner_closes_group(const struct scanner *scanner)
     return scanner->previous == ')' || scanner->previous == ']' || scanner->previous == TOKEN_STAR;
 }
 
+bool scanner_begins_item(const struct scanner *scanner)
+{
+    int previous = scanner->previous;
+
+    return scanner->comma || previous == ':' || previous == '(' || previous == '[' || previous == TOKEN_STAR;
+}
+
 static size_t word_length(const char *text)
 {
     size_t n = 0;
@@ -173,7 +180,7 @@ static bool ends_with_round(const char *text)
     while (word > text && (isalpha((unsigned char)word[-1]) || word[-1] == '.'))
         word--;
     return tolower((unsigned char)*word) == 'r' && isalpha((unsigned char)word[1]) &&
-           strncasecmp(word, "row", 3) != 0;
+           strncasecmp(word, "row", 3) != 0 && strcasecmp(word, "rs") != 0;
 }
 
 /* SIDE_RS stands for "in the round". */
@@ -211,6 +218,36 @@ int scanner_edge(struct scanner *scanner, KNIT_STYPE *value, const char *text)
     snprintf(name, sizeof name, "k%.0f", fmin(value->number.value, 999999));
     value->text = names_intern(scanner->parse->names, name, strlen(name));
     return scanner_token(scanner, TOKEN_NAME);
+}
+
+/* "4 k": "k4". */
+int scanner_turned(struct scanner *scanner, KNIT_STYPE *value, const char *text)
+{
+    size_t digits = strspn(text, "0123456789"), word = strcspn(text, "kpKP");
+    char name[LIMIT_NAME];
+
+    snprintf(name, sizeof name, "%c%.*s", text[word], (int)(digits < 9 ? digits : 9), text);
+    value->text = names_intern(scanner->parse->names, name, strlen(name));
+    return scanner_token(scanner, TOKEN_NAME);
+}
+
+/* "knit the knits and purl the purls": as below; with the two exchanged: the opposite. */
+int scanner_below(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *text)
+{
+    char letter[4];
+    int n = 0;
+
+    for (size_t at = 0, length; text[at] && n < 4; at += length + (length == 0)) {
+        length = word_length(text + at);
+        if (length && strchr("kKpP", text[at]))
+            letter[n++] = (char)tolower((unsigned char)text[at]);
+    }
+    if (n < 4 || letter[0] == letter[2] || letter[1] == letter[3]) {
+        diag_error(scanner->parse->diag, CODE_SYNTAX, span, "which stitches are to be knitted, and which purled, cannot be told from this");
+        return TOKEN_KNIT_error;
+    }
+    value->opposite = letter[0] != letter[1];
+    return scanner_token(scanner, TOKEN_AS_BELOW);
 }
 
 /* "an even number of", "any number of". */

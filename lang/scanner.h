@@ -72,6 +72,9 @@ void scanner_blank_line(struct scanner *, const char *line_ends);
 /* Whether what was read last is a group that can be repeated. */
 bool scanner_closes_group(const struct scanner *);
 
+/* Whether a comma, a bracket or a star stands before. */
+bool scanner_begins_item(const struct scanner *);
+
 /* Each sets the value only. */
 void scanner_number_of(KNIT_STYPE *, const char *text);
 void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *text);
@@ -84,6 +87,12 @@ void scanner_starting(KNIT_STYPE *, const char *text);
 /* `1 edge st`: so many knit stitches. */
 int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);
 void scanner_all(KNIT_STYPE *, const char *text);
+
+/* `4 k`: a name. */
+int scanner_turned(struct scanner *, KNIT_STYPE *, const char *text);
+
+/* `knit the knits and purl the purls`, or the knits purled and the purls knitted. */
+int scanner_below(struct scanner *, KNIT_STYPE *, struct span, const char *text);
 
 /* Brackets: what kind was opened; the register to go back to, 0 behind a block,
  * -1 where nothing was open. */

@@ -97,6 +97,12 @@ static bool refused_row(struct parse *parse, struct span span)
     return refused_text(parse->diag, line);
 }
 
+static void star_is_left(struct parse *parse, struct span span)
+{
+    diag_error(parse->diag, CODE_SYNTAX, span, "the row's '*' is left without its `rep from *`");
+    diag_hint(parse->diag, "`*k2, p2; rep from * to end`, or to the last stitches: `rep from * to last 2 sts, k2`");
+}
+
 void syntax_error(struct parse *parse, struct span span, const char *found, const char *const *expected,
                   int n)
 {
@@ -112,9 +118,7 @@ void syntax_error(struct parse *parse, struct span span, const char *found, cons
     if (at_end && span.end > span.start + 1)
         span.end = span.start + 1;
     if (parse->scanner->star_left) {
-        diag_error(parse->diag, CODE_SYNTAX, span, "the row's '*' is left without its `rep from *`");
-        diag_hint(parse->diag,
-                  "`*k2, p2; rep from * to end`, or to the last stitches: `rep from * to last 2 sts, k2`");
+        star_is_left(parse, span);
         return;
     }
     if (at_end && !n) {
@@ -214,6 +218,27 @@ struct item *syntax_whole(struct parse *parse, struct span rep, struct item *fir
     return group;
 }
 
+struct item *syntax_open_star(struct parse *parse, struct span star, struct item *before, struct item *first)
+{
+    struct item *last = first, *group = first, *end = before;
+
+    while (last->next && last->until.kind == UNTIL_ONCE)
+        last = last->next;
+    if (last->kind != ITEM_STITCH || (last->until.kind != UNTIL_END && last->until.kind != UNTIL_LAST)) {
+        star_is_left(parse, star);
+    } else {
+        group = item_group(parse, ITEM_REP_FROM, span_join(star, last->span), first, last->until);
+        group->next = last->next;
+        last->next = NULL;
+        last->until = (struct until){.span = last->span};
+    }
+    while (end && end->next)
+        end = end->next;
+    if (end)
+        end->next = group;
+    return before ? before : group;
+}
+
 struct row syntax_plain_rows(struct parse *parse, struct span all, struct span word, const char *stitch,
                              struct expr *count, enum side round)
 {
@@ -244,8 +269,23 @@ struct expr *syntax_two_rows(struct parse *parse, struct span span)
     return expr_number(parse, span, 2, 0);
 }
 
+/* `k1, p1 3 times`: p1 alone, or both? */
+static void check_times(struct parse *parse, const struct item *first)
+{
+    for (const struct item *item = first; item; item = item->next) {
+        if (item->kind != ITEM_STITCH)
+            check_times(parse, item->child);
+        if (item == first || item->kind != ITEM_STITCH || item->until.kind != UNTIL_TIMES || !is_counted(item))
+            continue;
+        diag_error(parse->diag, CODE_ROW_REPEAT, item->span, "what is worked so many times can be read in two ways: '%s' alone, or more of the row",
+                   item->name);
+        diag_hint(parse->diag, "write `[..] 3 times` around what is repeated");
+    }
+}
+
 struct row syntax_row(struct parse *parse, struct row head, struct span head_span, struct row body, struct span body_span)
 {
+    check_times(parse, body.item);
     body.item = repeat_to_end(parse, body.item);
     body.setup = head.setup;
     body.round = head.round;

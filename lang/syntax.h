@@ -26,6 +26,9 @@ struct expr *syntax_two_rows(struct parse *, struct span);          /* how many 
 /* `k1, p1, rep to end`: all that stands before is what is repeated. Warns. */
 struct item *syntax_whole(struct parse *, struct span, struct item *, struct until, struct item *tail);
 
+/* `k5, *p3, k5 to end`: what goes to the end is the star's repeat. `before` is what stands before it. */
+struct item *syntax_open_star(struct parse *, struct span star, struct item *before, struct item *);
+
 struct multiple syntax_parity(struct parse *, struct span, int of, int plus);
 void syntax_first_size(struct parse *, struct span);
 void syntax_goes_on(struct parse *, struct span);

@@ -1,6 +1,7 @@
 # Tests of the language: scripts and what they must say, to the letter.
 golden_tests = \
     tests/golden/golden.sh \
+    tests/golden/test_grammar.sh \
     tests/golden/test_examples.sh \
     tests/golden/test_library.sh \
     tests/golden/test_limits.sh \
@@ -30,6 +31,7 @@ tests_golden_test_compile_LDADD = liblang.a $(CMOCKA_LIBS)
 endif
 
 EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
+    tests/golden/grammar.txt \
     tests/golden/stitches.txt \
     tests/golden/binary_file.knit \
     tests/golden/blocks.knit \

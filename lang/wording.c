@@ -1,0 +1,272 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A text in, the same out with its turns of phrase put plainly: "the rest of
+ * the row" becomes "to end". What is left over is blank, so no place moves. */
+#include "lang/wording.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <string.h>
+#include <strings.h>
+
+/* Words are separated by one blank, for any blanks or a line end of the text. `a|b`: one of
+ * them; `?` behind: or nothing; `#`: a number, `~` the sign #; `=` before: stays as it is, the others make
+ * room for the plain wording. `@` begins a phrase that stands behind a stitch: knit, p. */
+static const struct phrase {
+    const char *words, *plain;
+} phrases[] = {
+    /* to the end */
+    {"all? the? rest|remainder of the|this? row|round|rnd|sts|stitches|way", "to end"},
+    {"@ the rest|remainder", "to end"},
+    {"@ all? the? rem|remaining =# sts|stitches", ""},
+    {"@ all? the? rem|remaining sts|stitches", "to end"},
+    {"all the way across|along|around", "to end"},
+    {"all the way to the? end", "to end"},
+    {"each|every st|stitch across|around|to the? end", "to end"},
+    {"across|around the? row|round|rnd? until|till|to =#|there|just|only|you", "until"},
+
+    /* to so many stitches before it */
+    {"until|till you get|come to the? =last", "to"},
+    {"until|till you reach the? =last", "to"},
+    {"until|till you have just|only? =#", "until"},
+    {"until|till there are|is just|only? =#", "until"},
+    {"until|till just|only =#", "until"},
+    {"st|sts|stitch|stitches are|is left|remaining", "sts rem"},
+
+    /* so many stitches */
+    {"@ the? next|first|last|following =# =sts|stitches|st|stitch", ""},
+    {"@ the first|last|next st|stitch", "1"},
+
+    /* a repeat */
+    {"rep.", "rep"},
+    {"=repeat|rep between|within|inside the? parentheses|brackets", ""},
+    {"=repeat|rep these|those|the # stitches|sts", ""},
+
+    /* whole rows */
+    {"work all? the? sts|stitches as they appear|come|lie", "k k st p p st"},
+    {"work all? the? sts|stitches as they face|present you|themselves", "k k st p p st"},
+    {"work all? the? sts|stitches as set|established|est", "k k st p p st"},
+    {"@ a =row|round|rnd", "1"},
+    {"=work a =row|round|rnd", "1"},
+    {"=row|rows|round|rounds|rnd|rnds number|no.|no|nr.|nr|~ =#", ""},
+    {"like =row|rows|round|rnd|rounds|rnds", "as"},
+    {"=work|cont|continue =in rib|ribbing for a? further? =# =rows|rounds|rnds|row", "pat for"},
+    {"=in rib|ribbing =for a further =#", ""},
+    {"=for a further =#", ""},
+
+    /* widths */
+    {"multiples of", "multiple of"},
+    {"mult. of", "mult of"},
+    {"a? number of sts|stitches that|is|are? evenly? divisible by", "multiple of"},
+
+    /* counts */
+    {"=# =sts|stitches in? total|altogether", ""},
+    {"=# =sts|stitches on the? needle|needles", ""},
+
+    /* line ends within */
+    {"=# =more =times", ""},
+    {"=# =times|sts|stitches", ""},
+    {"=to|until =the? =last =#", ""},
+    {"=repeat|rep|work =rows|row|round|rounds =#", ""},
+    {"=repeat|rep =from|these|this|the|last", ""},
+    {"=cast|bind =on|off", ""},
+    {"=same|work =as =row", ""},
+};
+enum { PHRASES = sizeof phrases / sizeof *phrases, PIECES = 16 };
+_Static_assert(PHRASES <= 64, "each is a bit");
+
+/* Where the words of a phrase stand in the text. */
+struct found {
+    int n;
+    size_t start[PIECES], end[PIECES];
+    bool stays[PIECES];
+};
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t';
+}
+
+/* Behind blanks and at most one line end. */
+static size_t skip(const char *text, size_t at)
+{
+    while (is_blank(text[at]))
+        at++;
+    if (text[at] == '\r' && text[at + 1] == '\n')
+        at++;
+    if (text[at] == '\n' || text[at] == '\r')
+        at++;
+    while (is_blank(text[at]))
+        at++;
+    return at;
+}
+
+static size_t number_length(const char *text)
+{
+    static const char *const word[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
+    size_t digits = strspn(text, "0123456789");
+
+    for (size_t i = 0; !digits && strchr("otfsenOTFSEN", *text) && *text && i < sizeof word / sizeof *word; i++)
+        if (strncasecmp(text, word[i], strlen(word[i])) == 0 && !isalnum((unsigned char)text[strlen(word[i])]))
+            return strlen(word[i]);
+    return digits;
+}
+
+/* The length of the first of the words a|b|c that stands in the text; 0: none does. */
+static size_t one_of(const char *words, size_t length, const char *text)
+{
+    for (const char *word = words, *end = words + length; word < end;) {
+        size_t n = strcspn(word, "|? ");
+
+        n = word + n > end ? (size_t)(end - word) : n;
+        if (n == 1 && *word == '#' && number_length(text))
+            return number_length(text);
+        if (n == 1 && *word == '~' && *text == '#')
+            return 1;
+        if (strncasecmp(text, word, n) == 0 && (!isalnum((unsigned char)word[n - 1]) || !isalnum((unsigned char)text[n])))
+            return n;
+        word += n + 1;
+    }
+    return 0;
+}
+
+static bool match(const char *words, const char *text, size_t at, struct found *found)
+{
+    size_t length = strcspn(words, " "), n, from = found->n ? skip(text, at) : at;
+    bool stays = *words == '=', optional;
+    const char *next = words + length + (words[length] == ' ');
+
+    if (!*words)
+        return true;
+    optional = words[length - 1] == '?';
+    n = one_of(words + stays, length - stays - optional, text + from);
+    if (n && found->n < PIECES) {
+        found->start[found->n] = from;
+        found->end[found->n] = from + n;
+        found->stays[found->n++] = stays;
+        if (match(next, text, from + n, found))
+            return true;
+        found->n--;
+    }
+    return optional && match(next, text, at, found);
+}
+
+/* Whether `k`, `knit`, `p` or `purl` stands before. */
+static bool behind_stitch(const char *text, size_t at)
+{
+    size_t end;
+
+    while (at > 0 && isspace((unsigned char)text[at - 1]))
+        at--;
+    for (end = at; at > 0 && isalnum((unsigned char)text[at - 1]);)
+        at--;
+    return end > at && one_of("knit|k|purl|p", 13, text + at) == end - at;
+}
+
+/* Makes room, and puts the plain wording where the first word was that goes. */
+static bool put_plain(char *text, const struct found *found, const char *plain)
+{
+    size_t length = strlen(plain), from = 0, end = found->end[found->n - 1];
+    int first = 0;
+
+    while (first < found->n && found->stays[first])
+        first++;
+    if (length) {
+        from = found->start[first];
+        for (int i = first; i < found->n && !found->stays[i]; i++)
+            end = found->end[i];
+        if (first == found->n || from + length > end)
+            return false;
+    }
+    for (int i = 0; i < found->n; i++) {
+        if (!found->stays[i])
+            memset(text + found->start[i], ' ', found->end[i] - found->start[i]);
+        if (i + 1 < found->n)
+            memset(text + found->end[i], ' ', found->start[i + 1] - found->end[i]);
+    }
+    memcpy(text + from, plain, length);
+    return true;
+}
+
+/* "(K2. P2) ribbing": without its brackets. */
+static size_t rib_length(const char *text)
+{
+    size_t at = 1, close;
+
+    if (*text != '(' || tolower((unsigned char)text[1]) != 'k' || !(close = strcspn(text, ")\r\n")) || text[close] != ')' || close > 12)
+        return 0;
+    while (at < close && (isalnum((unsigned char)text[at]) || strchr(" .,;", text[at])))
+        at++;
+    return at == close && strncasecmp(text + skip(text, close + 1), "rib", 3) == 0 ? close + 1 : 0;
+}
+
+/* The phrases that may begin with a character, as bits. */
+static void index_phrases(unsigned long long first[256])
+{
+    memset(first, 0, 256 * sizeof *first);
+    for (int i = 0; i < PHRASES; i++) {
+        const char *words = phrases[i].words + (*phrases[i].words == '@' ? 2 : 0);
+
+        for (bool more = true; more;) {
+            size_t length = strcspn(words, " ");
+
+            more = words[length - 1] == '?';
+            for (size_t at = *words == '='; at < length; at += strcspn(words + at, "| ") + 1)
+                for (const char *c = words[at] == '#' ? "0123456789otfsen" : (char[]){words[at], '\0'}; *c; c++) {
+                    first[tolower((unsigned char)*c)] |= 1ull << i;
+                    first[toupper((unsigned char)*c)] |= 1ull << i;
+                }
+            words += length + 1;
+        }
+    }
+}
+
+/* The phrase that begins here, put plainly; returns the place behind it, or `at`. */
+static size_t put_phrase(char *text, size_t at, unsigned long long candidates)
+{
+    for (int i = 0; candidates; i++, candidates >>= 1) {
+        const char *words = phrases[i].words;
+        struct found found = {0};
+
+        if (!(candidates & 1) || (*words == '@' && !behind_stitch(text, at)))
+            continue;
+        if (match(words + (*words == '@' ? 2 : 0), text, at, &found) && put_plain(text, &found, phrases[i].plain))
+            return found.end[0];
+    }
+    return at;
+}
+
+/* Behind a text in quotes that begins here; inches are none. */
+static size_t skip_quoted(const char *text, size_t at)
+{
+    size_t length = strcspn(text + at + 1, "\"\r\n");
+
+    return (at > 0 && isdigit((unsigned char)text[at - 1])) || text[at + 1 + length] != '"' ? at + 1 : at + length + 2;
+}
+
+const char *wording_plain(struct arena *arena, const char *text, size_t size)
+{
+    unsigned long long first[256];
+    char *plain = arena_copy(arena, text, size);
+
+    index_phrases(first);
+    for (size_t at = 0; at < size;) {
+        unsigned char c = (unsigned char)plain[at];
+        size_t rib = rib_length(plain + at);
+
+        if (c == '"') {
+            at = skip_quoted(plain, at);
+            continue;
+        }
+        if (rib) {
+            plain[at] = plain[at + rib - 1] = ' ';
+            for (size_t i = at; i < at + rib; i++)
+                plain[i] = plain[i] == '.' ? ',' : plain[i];
+        }
+        if (first[c] && (at == 0 || !isalnum((unsigned char)plain[at - 1])))
+            put_phrase(plain, at, first[c]);
+        at++;
+        while (isalnum(c) && at < size && isalnum((unsigned char)plain[at]))
+            at++;
+    }
+    return plain;
+}
