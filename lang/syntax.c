@@ -221,16 +221,18 @@ struct item *syntax_whole(struct parse *parse, struct span rep, struct item *fir
 struct item *syntax_open_star(struct parse *parse, struct span star, struct item *before, struct item *first)
 {
     struct item *last = first, *group = first, *end = before;
+    struct span span;
 
-    while (last->next && last->until.kind == UNTIL_ONCE)
+    while (last->next && item_until(parse->source, last).kind == UNTIL_ONCE)
         last = last->next;
-    if (last->kind != ITEM_STITCH || (last->until.kind != UNTIL_END && last->until.kind != UNTIL_LAST)) {
+    span = item_span(parse->source, last);
+    if (last->kind != ITEM_STITCH || (last->more->until.kind != UNTIL_END && last->more->until.kind != UNTIL_LAST)) {
         star_is_left(parse, star);
     } else {
-        group = item_group(parse, ITEM_REP_FROM, span_join(star, last->span), first, last->until);
+        group = item_group(parse, ITEM_REP_FROM, span_join(star, span), first, last->more->until);
         group->next = last->next;
         last->next = NULL;
-        last->until = (struct until){.span = last->span};
+        last->more->until = (struct until){.span = span};
     }
     while (end && end->next)
         end = end->next;
@@ -273,12 +275,12 @@ struct expr *syntax_two_rows(struct parse *parse, struct span span)
 static void check_times(struct parse *parse, const struct item *first)
 {
     for (const struct item *item = first; item; item = item->next) {
-        if (item->kind != ITEM_STITCH)
-            check_times(parse, item->child);
-        if (item == first || item->kind != ITEM_STITCH || item->until.kind != UNTIL_TIMES || !is_counted(item))
+        if (item->kind > ITEM_STITCH)
+            check_times(parse, item->more->child);
+        if (item == first || item->kind != ITEM_STITCH || item->more->until.kind != UNTIL_TIMES || !is_counted(parse->source, item))
             continue;
-        diag_error(parse->diag, CODE_ROW_REPEAT, item->span, "what is worked so many times can be read in two ways: '%s' alone, or more of the row",
-                   item->name);
+        diag_error(parse->diag, CODE_ROW_REPEAT, item_span(parse->source, item),
+                   "what is worked so many times can be read in two ways: '%s' alone, or more of the row", item->more->name);
         diag_hint(parse->diag, "write `[..] 3 times` around what is repeated");
     }
 }

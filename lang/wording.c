@@ -162,6 +162,16 @@ static bool behind_stitch(const char *text, size_t at)
     return end > at && one_of("knit|k|purl|p", 13, text + at) == end - at;
 }
 
+/* Whether a word goes, or a line end between them. */
+static bool changes(const char *text, const struct found *found)
+{
+    for (int i = 0; i < found->n; i++)
+        if (!found->stays[i])
+            return true;
+    return memchr(text + found->start[0], '\n', found->end[found->n - 1] - found->start[0]) ||
+           memchr(text + found->start[0], '\r', found->end[found->n - 1] - found->start[0]);
+}
+
 /* Makes room, and puts the plain wording where the first word was that goes. */
 static bool put_plain(char *text, const struct found *found, const char *plain)
 {
@@ -187,12 +197,15 @@ static bool put_plain(char *text, const struct found *found, const char *plain)
     return true;
 }
 
-/* "(K2. P2) ribbing": without its brackets. */
+/* How long the brackets of "(K2. P2) ribbing" are, which goes without them; or 0. */
 static size_t rib_length(const char *text)
 {
     size_t at = 1, close;
 
-    if (*text != '(' || tolower((unsigned char)text[1]) != 'k' || !(close = strcspn(text, ")\r\n")) || text[close] != ')' || close > 12)
+    if (tolower((unsigned char)text[1]) != 'k')
+        return 0;
+    close = strcspn(text, ")\r\n");
+    if (text[close] != ')' || close > 12)
         return 0;
     while (at < close && (isalnum((unsigned char)text[at]) || strchr(" .,;", text[at])))
         at++;
@@ -220,19 +233,44 @@ static void index_phrases(unsigned long long first[256])
     }
 }
 
-/* The phrase that begins here, put plainly; returns the place behind it, or `at`. */
-static size_t put_phrase(char *text, size_t at, unsigned long long candidates)
+/* A text that is copied before the first change of it. */
+struct wording {
+    struct arena *arena;
+    const char *text;
+    size_t size;
+    bool copied;
+};
+
+static char *own_text(struct wording *w)
+{
+    if (!w->copied)
+        w->text = arena_copy(w->arena, w->text, w->size);
+    w->copied = true;
+    return (char *)w->text;
+}
+
+/* Puts the phrase that begins here plainly. */
+static void put_phrase(struct wording *w, size_t at, unsigned long long candidates)
 {
     for (int i = 0; candidates; i++, candidates >>= 1) {
         const char *words = phrases[i].words;
         struct found found = {0};
 
-        if (!(candidates & 1) || (*words == '@' && !behind_stitch(text, at)))
+        if (!(candidates & 1) || (*words == '@' && !behind_stitch(w->text, at)))
             continue;
-        if (match(words + (*words == '@' ? 2 : 0), text, at, &found) && put_plain(text, &found, phrases[i].plain))
-            return found.end[0];
+        if (match(words + (*words == '@' ? 2 : 0), w->text, at, &found) && changes(w->text, &found) &&
+            put_plain(own_text(w), &found, phrases[i].plain))
+            return;
     }
-    return at;
+}
+
+static void put_rib(struct wording *w, size_t at, size_t length)
+{
+    char *text = own_text(w) + at;
+
+    text[0] = text[length - 1] = ' ';
+    for (size_t i = 0; i < length; i++)
+        text[i] = text[i] == '.' ? ',' : text[i];
 }
 
 /* Behind a text in quotes that begins here; inches are none. */
@@ -245,28 +283,24 @@ static size_t skip_quoted(const char *text, size_t at)
 
 const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
+    struct wording w = {arena, text, size, false};
     unsigned long long first[256];
-    char *plain = arena_copy(arena, text, size);
 
     index_phrases(first);
     for (size_t at = 0; at < size;) {
-        unsigned char c = (unsigned char)plain[at];
-        size_t rib = rib_length(plain + at);
+        unsigned char c = (unsigned char)w.text[at];
 
         if (c == '"') {
-            at = skip_quoted(plain, at);
+            at = skip_quoted(w.text, at);
             continue;
         }
-        if (rib) {
-            plain[at] = plain[at + rib - 1] = ' ';
-            for (size_t i = at; i < at + rib; i++)
-                plain[i] = plain[i] == '.' ? ',' : plain[i];
-        }
-        if (first[c] && (at == 0 || !isalnum((unsigned char)plain[at - 1])))
-            put_phrase(plain, at, first[c]);
+        if (c == '(' && rib_length(w.text + at))
+            put_rib(&w, at, rib_length(w.text + at));
+        if (first[c] && (at == 0 || !isalnum((unsigned char)w.text[at - 1])))
+            put_phrase(&w, at, first[c]);
         at++;
-        while (isalnum(c) && at < size && isalnum((unsigned char)plain[at]))
+        while (isalnum(c) && at < size && isalnum((unsigned char)w.text[at]))
             at++;
     }
-    return plain;
+    return w.text;
 }
