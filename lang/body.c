@@ -499,6 +499,7 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
         return false;
     if (!find_rows(eval, where, stmt, again, body, &texts))
         return false;
+    rows_both_sides(body->rows, texts);
     if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
         diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span,
                      "how often these rows are repeated is not said: not once more");

@@ -222,11 +222,17 @@ static const char *fit_text(struct arena *arena, const struct fit *fit)
     return arena_printf(arena, "a multiple of %lld + %lld", fit->multiple, fit->plus % fit->multiple);
 }
 
+/* "row 3"; rows before row 1 have no number. */
+static const char *name_of(struct arena *arena, const struct row_text *row, const char *unnumbered)
+{
+    return row->label ? arena_printf(arena, "row %d", row->label) : unnumbered;
+}
+
 static const char *who_left(struct arena *arena, enum width_from from, const struct row_text *before,
                             long long width)
 {
-    if (before && before->label)
-        return arena_printf(arena, "row %d left %lld", before->label, width);
+    if (before)
+        return arena_printf(arena, "%s left %lld", name_of(arena, before, "the row before"), width);
     switch (from) {
     case WIDTH_CAST_ON:
         return arena_printf(arena, "%lld are cast on", width);
@@ -265,13 +271,13 @@ void row_does_not_fit(struct diag *diag, const struct row_text *row, const struc
     if (!row_fit(diag, row, &fit))
         return;
     if (!fit.multiple && !others->multiple && before)
-        diag_error(diag, CODE_ROW_COUNT, row->span, "row %d works %lld stitches, but row %d left %lld",
-                   row->label, fit.plus, before->label, others->plus);
+        diag_error(diag, CODE_ROW_COUNT, row->span, "%s works %lld stitches, but %s left %lld",
+                   name_of(diag->arena, row, "this row"), fit.plus, name_of(diag->arena, before, "the row before"), others->plus);
     else
-        diag_error(diag, CODE_ROW_WIDTH, row->span, "row %d fits %s, but the rows before it fit %s",
-                   row->label, fit_text(diag->arena, &fit), fit_text(diag->arena, others));
+        diag_error(diag, CODE_ROW_WIDTH, row->span, "%s fits %s, but the rows before it fit %s",
+                   name_of(diag->arena, row, "this row"), fit_text(diag->arena, &fit), fit_text(diag->arena, others));
     if (before)
-        diag_note(diag, before->span, "row %d", before->label);
+        diag_note(diag, before->span, "%s", name_of(diag->arena, before, "the row before"));
 }
 
 /* Reports that a row does not come out on the width there is. */
@@ -279,18 +285,18 @@ static void misfit(struct diag *diag, const struct row_text *row, const struct f
                    const char *left)
 {
     if (fit->multiple == 0) {
-        diag_error(diag, CODE_ROW_COUNT, row->span, "row %d works %s, but %s", row->label,
+        diag_error(diag, CODE_ROW_COUNT, row->span, "%s works %s, but %s", name_of(diag->arena, row, "this row"),
                    stitches(diag->arena, fit->plus), left);
         if (fit->plus > 0 && width > fit->plus && width % fit->plus == 0)
             diag_hint(diag, "to fill the row, repeat it: `*..; rep from * to end`");
         return;
     }
     if (width < fit->least)
-        diag_error(diag, CODE_ROW_COUNT, row->span, "row %d needs %s at least, but %s", row->label,
+        diag_error(diag, CODE_ROW_COUNT, row->span, "%s needs %s at least, but %s", name_of(diag->arena, row, "this row"),
                    stitches(diag->arena, fit->least), left);
     else
-        diag_error(diag, CODE_ROW_FIT, row->span, "row %d does not come out even: its repeat fits %s, but %s",
-                   row->label, fit_text(diag->arena, fit), left);
+        diag_error(diag, CODE_ROW_FIT, row->span, "%s does not come out even: its repeat fits %s, but %s",
+                   name_of(diag->arena, row, "this row"), fit_text(diag->arena, fit), left);
     note_fit(diag, fit, width);
 }
 
@@ -361,8 +367,8 @@ static bool work_cut(struct diag *diag, const struct row_text *row, long long wi
 
     if (rest && rest != row->work->length) {
         diag_error(diag, CODE_ROW_FIT, row->span,
-                   "row %d does not come out even: this rib is worked over a multiple of %lld, or %lld more, but %s",
-                   row->label, period, row->work->length, left);
+                   "%s does not come out even: this rib is worked over a multiple of %lld, or %lld more, but %s",
+                   name_of(diag->arena, row, "this row"), period, row->work->length, left);
         return false;
     }
     for (long long i = 0; i < width; i++)
@@ -398,7 +404,7 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
         }
     }
     if (row->check >= 0 && row->check != width) {
-        diag_error(diag, CODE_ROW_ASSERT, row->check_span, "row %d ends with %s, not %lld", row->label,
+        diag_error(diag, CODE_ROW_ASSERT, row->check_span, "%s ends with %s, not %lld", name_of(diag->arena, row, "this row"),
                    stitches(diag->arena, width), row->check);
         return false;
     }

@@ -259,17 +259,25 @@ static bool append(struct row_list *list, struct row_text *text)
     return true;
 }
 
-static void check_side(struct row_list *list, const struct row_text *text, int i)
+/* `repeated`: so many rows are, which brings it there; 0: none. */
+static void check_side(struct row_list *list, const struct row_text *text, int i, int repeated)
 {
     enum side side = side_of(list, i);
+    const char *mark = text->side == SIDE_RS ? "RS" : "WS";
 
     if (!text->side || text->side == side)
         return;
     diag_error(list->diag, CODE_ROW_SIDE, text->head, "row %d is marked %s, but it is worked on the %s",
-               text->label, text->side == SIDE_RS ? "RS" : "WS",
-               side == SIDE_RS ? "right side" : "wrong side");
-    diag_hint(list->diag, i + 1 == text->label ? "RS and WS rows take turns"
-                                               : "repeating an odd number of rows turns the sides around");
+               text->label, mark, side == SIDE_RS ? "right side" : "wrong side");
+    if (repeated) {
+        diag_note(list->diag, list->span, "repeated here: %s", repeated == 1
+                      ? "the same words on both sides, or a row between that is not named"
+                      : "an odd number of rows turns the sides around");
+        diag_hint(list->diag, "for the same words on both sides leave out %s; else repeat as many RS rows as WS rows", mark);
+    } else {
+        diag_hint(list->diag, i + 1 == text->label ? "RS and WS rows take turns"
+                                                   : "repeating an odd number of rows turns the sides around");
+    }
     fail(list);
 }
 
@@ -303,7 +311,7 @@ static void flush(struct row_list *list)
         list->label[label] = text;
         if (!text->label)
             text->label = label;
-        check_side(list, text, list->norder);
+        check_side(list, text, list->norder, 0);
         if (!append(list, text))
             return;
         list->last_label = list->worked_label = label;
@@ -328,7 +336,7 @@ void rows_add_next(struct row_list *list, struct row_text *text)
         list->start = list->norder % 2 == 0 || list->round ? text->side : other_side(text->side);
     list->loose = true;
     if (!list->failed) {
-        check_side(list, text, list->norder);
+        check_side(list, text, list->norder, 0);
         append(list, text);
     }
 }
@@ -383,6 +391,12 @@ bool rows_just_worked(const struct row_list *list, struct row_texts texts)
     return true;
 }
 
+void rows_both_sides(struct row_list *list, struct row_texts texts)
+{
+    if (texts.n == 1 && list->norder && list->order[list->norder - 1] == texts.text[0])
+        texts.text[0]->side = SIDE_OPEN;
+}
+
 /* The label of the row worked last, for `continue in pattern`. */
 static void remember_label(struct row_list *list)
 {
@@ -411,7 +425,7 @@ void rows_again(struct row_list *list, struct span span, struct row_texts texts,
     memcpy(text, texts.text, (size_t)n * sizeof *text);
     for (long long pass = 0; times ? pass < times : list->norder < total; pass++)
         for (int i = 0; i < n && (times || list->norder < total); i++) {
-            check_side(list, text[i], list->norder);
+            check_side(list, text[i], list->norder, n);
             if (list->failed || !append(list, text[i]))
                 return;
         }
@@ -484,7 +498,7 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
 
         /* A text that was drawn on this side before is the same again. */
         if (i >= list->norder)
-            check_side(list, text, i);
+            check_side(list, text, i, 0);
         if (list->failed)
             return NULL;
         if (text->failed) {

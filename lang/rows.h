@@ -98,6 +98,10 @@ struct row_texts rows_pattern(struct row_list *, bool going_on);
 /* Whether these are the rows worked last, and not twice. */
 bool rows_just_worked(const struct row_list *, struct row_texts);
 
+/* `Repeat this row`, right behind it: the same words on both sides, whatever side
+ * it is marked with; the mark has said where the work began. */
+void rows_both_sides(struct row_list *, struct row_texts);
+
 /* Works rows again: `times` more, or until there are `total`. */
 void rows_again(struct row_list *, struct span, struct row_texts, long long times, long long total);
 
