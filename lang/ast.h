@@ -128,7 +128,7 @@ struct fabric {
 struct row {
     bool                round;          /* worked in the round: always from the right side */
     enum side           side;
-    bool                setup;          /* before row 1, without a number */
+    bool                setup;          /* before row 1, its numbers being its own */
     struct row_numbers *numbers;        /* NULL: the next row, */
     struct expr        *count;          /* or the next so many rows, */
     bool                total;          /* or as many as there are then in all */

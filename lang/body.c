@@ -233,8 +233,11 @@ static bool evaluate_labels(struct eval *eval, struct where where, const struct 
 
         if (part->all)
             continue;
-        if (!eval_whole(eval, where, part->first, 1, LIMIT_WRITTEN_ROWS, "a row number", &first))
+        if (!eval_whole(eval, where, part->first, 1, LIMIT_WRITTEN_ROWS, "a row number", &first)) {
+            if (part->first->kind == EXPR_NUMBER && part->first->number.value == 0)
+                diag_hint(eval->diag, "the cast-on is row 0; what is worked before row 1 is a `Set-up row`");
             return false;
+        }
         last = first;
         if (part->last && !eval_whole(eval, where, part->last, 1, LIMIT_WRITTEN_ROWS, "a row number", &last))
             return false;
@@ -450,7 +453,9 @@ static bool run_row(struct eval *eval, struct where where, const struct stmt *st
     for (int i = 0; i < n; i++) {
         if (!next_text(eval, where, &run, body, i))
             return false;
-        if (run.labels.n)
+        if (run.labels.n && row->setup)
+            rows_add_setup(body->rows, run.text, run.labels.label[i]);
+        else if (run.labels.n)
             rows_add(body->rows, run.text, run.labels.label[i]);
         else if (!all)
             rows_add_next(body->rows, run.text);

@@ -399,6 +399,7 @@ row_head:
 | SIDE ROW parts                        { $$ = syntax_head(parse, $ROW, $SIDE, $parts.first); }
 | ALL                                   { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, NULL, $ALL.kind)); }
 | SETUP row_sides                       { $$ = syntax_head(parse, $SETUP, $2, NULL); $$.setup = true; }
+| SETUP row_sides parts                 { $$ = syntax_head(parse, $SETUP, $2, $parts.first); $$.setup = true; }
 ;
 row_sides:
   %empty                                { $$ = SIDE_OPEN; }
@@ -538,6 +539,7 @@ again_once:
 
 work_statement:
   PLAIN_ROWS count more ROW_WORD        { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
+| PLAIN_ROWS count more ROW_WORD SIDE   { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); $$->row.starting = $SIDE; }
 | PLAIN_EVERY FOR_ROWS count ROW_WORD   { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
 | PLAIN_EVERY UNTIL_ROWS count ROW_WORD { $$ = stmt_row(parse, @$, syntax_total(syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD))); }
 | PLAIN_EVERY UNTIL_LENGTH              { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, syntax_two_rows(parse, @$), SIDE_OPEN)); }

@@ -231,6 +231,13 @@ bool prose_row_follows(const char *text)
     return is_rows_word(text) && isdigit((unsigned char)*skip_blanks(text + word_length(text)));
 }
 
+bool prose_is_remark(const char *text)
+{
+    size_t n = 1 + strspn(text + 1, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ ,-");
+
+    return *text == '(' && text[n] == ')' && *skip_blanks(text + n + 1) == ':';
+}
+
 /* Behind the numbers and the side of a row's head; or NULL. */
 static const char *behind_head(const char *text)
 {
@@ -325,15 +332,14 @@ static int count_words(const char *text)
     return words;
 }
 
-/* `Casst on 22`, `swach tile(..)`: the first word is nearly a statement's, and what
- * follows is no mere text. */
-static bool is_mistyped(const char *text)
+/* `Casst`, `swach`: the first word is nearly a statement's. */
+static bool is_nearly_statement(const char *text)
 {
     char word[32] = "";
     size_t n = word_length(text);
     struct nearest nearest;
 
-    if (n < 3 || n >= sizeof word || !line_has(text, "0123456789:\"=({"))
+    if (n < 3 || n >= sizeof word || text[n] == '-')
         return false;
     memcpy(word, text, n);
     nearest = nearest_to(word);
@@ -343,6 +349,13 @@ static bool is_mistyped(const char *text)
         nearest_offer(&nearest, statement_word[i]);
     }
     return nearest.best && nearest.distance <= 1 && strlen(nearest.best) + 1 >= n && strlen(nearest.best) <= n + 1;
+}
+
+/* `Casst on 22`, `swach tile(..)`: the first word is nearly a statement's, and what
+ * follows is no mere text. */
+static bool is_mistyped(const char *text)
+{
+    return line_has(text, "0123456789:\"=({") && is_nearly_statement(text);
 }
 
 /* `k2`, `P10`: a stitch with its number. */
@@ -380,6 +393,15 @@ bool prose_reads(const char *text, bool loose)
         return true;
     return !line_has(text, "[]\"=<>*|") && !has_stitches(text) && !has_call(text) &&
            (word_length(text) > 0 || (isdigit((unsigned char)*text) && count_words(text) >= SENTENCE)) && (count_words(text) > 1 || line_has(text, ":!"));
+}
+
+/* `Ribbing` alone above a row. */
+static bool is_heading(const char *text)
+{
+    size_t n = word_length(text);
+
+    return n > 3 && isupper((unsigned char)*text) && prose_line_ends(text + n) && !is_nearly_statement(text) &&
+           prose_statement_follows(next_line(text));
 }
 
 /* "22 sts", "4 rows": more than a title says. */
@@ -446,7 +468,7 @@ bool scanner_prose(struct scanner *scanner)
         scanner->titles++;
         return true;
     }
-    if (!prose_is_keyword(text) && !prose_reads(text, false))
+    if (!prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text))
         return false;
 
     /* Nothing says what this is: it is named, once for lines that follow each other. */

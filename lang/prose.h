@@ -24,6 +24,7 @@ bool prose_stitches_follow(const char *text);       /* a row's text, of a list t
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */
 bool prose_row_follows(const char *text);           /* "row 1" */
+bool prose_is_remark(const char *text);             /* "(set-up row):": words before a row's colon */
 bool prose_pattern_follows(const char *text);       /* a row with its name, a cast-on, a multiple */
 
 /* Where in a sentence "18 rows" stands; 0: nowhere. */

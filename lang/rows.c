@@ -2,6 +2,7 @@
  * Row texts in, the order they are worked in and the grid they make out. */
 #include "lang/rows.h"
 
+#include <ctype.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,6 +36,7 @@ struct row_list {
 
     struct filler *filler;
     int last_label, first_label;    /* of this part of the pattern */
+    int nsetup;                     /* numbered set-up rows */
     int worked_label;               /* of the numbered row worked last */
     bool loose;                     /* what came last had no number, or was a repeat */
     enum side start; /* the side of the first row worked; open until known */
@@ -113,13 +115,28 @@ const struct row_text *rows_find(const struct row_list *list, int label)
 
 static void flush(struct row_list *list);
 
+/* Whether an empty line or other text lies between two places. */
+static bool stand_apart(struct span before, struct span head)
+{
+    int breaks = 0;
+
+    for (unsigned at = before.end; before.source == head.source && at < head.start; at++) {
+        char c = before.source->text[at];
+
+        if (isalnum((unsigned char)c))
+            return true;
+        breaks += c == '\n' || (c == '\r' && before.source->text[at + 1] != '\n');
+    }
+    return breaks > 1;
+}
+
 /* Row 1 again is where a second part begins; right behind a single row 1 it is a slip. */
 static void begin_again(struct row_list *list, const struct row_text *text)
 {
     for (int i = 0; i < list->npending; i++)
         if (!list->pending[i] && !list->filler)
             return;
-    if (!list->loose && last_given(list) < 2)
+    if (!list->loose && last_given(list) < 2 && !stand_apart(rows_find(list, 1)->span, text->head))
         return;
     if (!list->loose) {
         diag_warning(list->diag, CODE_SECOND_PART, text->head,
@@ -153,6 +170,8 @@ static void add_at(struct row_list *list, struct row_text *text, int label)
         diag_error(list->diag, CODE_ROW_NUMBER, text->head, "row %d is written twice", label);
         if (other)
             diag_note(list->diag, other->head, "the first time");
+        if (other && label == 1)
+            diag_hint(list->diag, "a second part stands apart, by an empty line or a heading; else `Row %d`", last_given(list) + 1);
         fail(list);
         return;
     }
@@ -325,6 +344,18 @@ static void flush(struct row_list *list)
 void rows_work(struct row_list *list)
 {
     flush(list);
+}
+
+void rows_add_setup(struct row_list *list, struct row_text *text, int label)
+{
+    if (label == list->nsetup + 1) {
+        list->nsetup++;
+        rows_add_next(list, text);
+        return;
+    }
+    diag_error(list->diag, CODE_ROW_NUMBER, text->head, "set-up row %d comes behind %d of them", label, list->nsetup);
+    diag_hint(list->diag, "set-up rows are numbered 1, 2, 3 .. and worked in this order");
+    fail(list);
 }
 
 void rows_add_next(struct row_list *list, struct row_text *text)

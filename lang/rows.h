@@ -76,6 +76,9 @@ void rows_work(struct row_list *);
 /* Works a row that has no number: a set-up row, one of `knit 4 rows`. */
 void rows_add_next(struct row_list *, struct row_text *);
 
+/* Works a set-up row of this number. */
+void rows_add_setup(struct row_list *, struct row_text *, int label);
+
 /* `all WS rows`: the text of every row of a kind that has none of its own. */
 void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first);
 

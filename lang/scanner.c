@@ -208,6 +208,23 @@ void scanner_starting(KNIT_STYPE *value, const char *text)
                 value->side = SIDE_WS;
 }
 
+/* "(set-up row, WS)": whether a side is among the words. */
+bool scanner_remark(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        enum side side;
+    } sides[] = {{"rs", SIDE_RS}, {"right", SIDE_RS}, {"ws", SIDE_WS}, {"wrong", SIDE_WS}};
+
+    for (; *text; text += word_length(text) ? word_length(text) : 1)
+        for (size_t i = 0; i < sizeof sides / sizeof *sides; i++)
+            if (is_word(text, word_length(text), sides[i].word)) {
+                value->side = sides[i].side;
+                return true;
+            }
+    return false;
+}
+
 int scanner_edge(struct scanner *scanner, KNIT_STYPE *value, const char *text)
 {
     char name[32];

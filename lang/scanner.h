@@ -83,6 +83,7 @@ void scanner_number_word(KNIT_STYPE *, const char *text);
 void scanner_round(KNIT_STYPE *, const char *text);
 void scanner_side(KNIT_STYPE *, const char *text);
 void scanner_starting(KNIT_STYPE *, const char *text);
+bool scanner_remark(KNIT_STYPE *, const char *text);
 
 /* `1 edge st`: so many knit stitches. */
 int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);

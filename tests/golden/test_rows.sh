@@ -87,6 +87,18 @@ grid 'Cast on 2|Row 1: knit|Repeat row 1 three times' 'KK PP KK PP'
 grid 'Cast on 2|Row 1: k2|Row 2: p2|Row 3: p2|Repeat the last 2 rows once' 'KK KK PP KK PP'
 grid 'Cast on 2|Row 1: k1, p1|Row 2: knit|Repeat rows 1-2 until piece has 5 rows' 'PK PP PK PP PK'
 
+# Before row 1.
+grid 'Cast on 2|Set-up row 1: k1, p1|Set-up row 2: p2|Row 1: k2|Row 2: k1, p1|Repeat rows 1-2 once' 'PK KK KK PK KK PK'
+grid 'Cast on 2|Foundation rows 1-2: k1, p1|Rows 1 and 2: knit' 'PK PK KK PP'
+grid 'Cast on 2|Set-up (WS): k1, p1|Row 1 (RS): knit' 'PK KK'
+grid 'Cast on 2|Setup: p1, k1|Row 1: knit' 'KP PP'
+grid 'Cast on 2|Purl 1 row (WS)|Row 1 (RS): k1, p1' 'KK PK'
+grid 'Cast on 2|Set-up (WS): knit 3 rows|Row 1 (RS): k1, p1' 'PP KK PP PK'
+grid 'Cast on 2|Row 1 (set-up row): k1, p1|Row 2 (WS, pattern row): knit' 'PK PP'
+grid 'Cast on 2|Row 1: knit|Repeat row 1 once|Row 1: k1, p1' 'KK PP PK'
+wrong E0306 'Cast on 2|Set-up row 2: knit' 'set-up row 2 comes behind 0'
+wrong E0204 'Cast on 2|Row 0: knit' 'a row number is 0'
+
 # One row repeated right behind itself has the same words on both sides, whatever its mark.
 grid 'Cast on 4|Row 1 (RS): k1, p3|Repeat row 1 three times' 'PPPK PKKK PPPK PKKK'
 grid 'Cast on 4|Row 1 (RS): *K2, p2; rep from * to end. Repeat this row once more.' 'PPKK PPKK'
