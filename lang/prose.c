@@ -163,8 +163,10 @@ bool prose_fabric_follows(const char *text)
 {
     static const char *const word[] = {"garter", "g",    "rev",   "reverse", "stockinette", "stocking", "stockinet",
                                        "st",     "seed", "moss",  "single",  "double"};
+    const char *by = skip_blanks(text + strspn(text, "0123456789"));
 
-    return is_one_of(text, word, sizeof word / sizeof *word) || isdigit((unsigned char)*text) ||
+    return is_one_of(text, word, sizeof word / sizeof *word) ||
+           (isdigit((unsigned char)*text) && ((*by && strchr("xX/\xC3", *by)) || is_word(by, "by"))) ||
            (strchr("kK", *text) && isdigit((unsigned char)*skip_blanks(text + 1)));
 }
 
