@@ -11,8 +11,12 @@ EXTRA_PROGRAMS += bench/warm
 bench_warm_SOURCES = bench/warm.c
 bench_warm_LDADD = libsolver.a liblang.a $(LIBRARIES_OF_OTHERS)
 
+EXTRA_PROGRAMS += bench/write
+bench_write_SOURCES = bench/write.c
+bench_write_LDADD = $(weft_LDADD)
+
 EXTRA_DIST += bench/run.sh bench/lib.sh bench/report.awk bench/limits.sh bench/skip.sh bench/estimate.sh bench/converge.sh bench/scenes/checks.knit \
-    bench/scaling.sh bench/gradient.sh bench/accuracy.sh bench/plot.sh bench/summary.sh bench/warm.sh \
+    bench/scaling.sh bench/gradient.sh bench/accuracy.sh bench/plot.sh bench/summary.sh bench/warm.sh bench/write.sh \
     bench/scenes/bars.knit bench/scenes/basketweave.knit bench/scenes/chains.knit bench/scenes/checkerboard.knit \
     bench/scenes/columns.knit bench/scenes/flat.knit bench/scenes/garter.knit bench/scenes/miura.knit bench/scenes/miura_2x2.knit \
     bench/scenes/miura_4x4.knit bench/scenes/peaks.knit bench/scenes/rib2x2.knit bench/scenes/rib_small.knit bench/scenes/seed.knit \
@@ -22,7 +26,7 @@ EXTRA_DIST += docs/numerics.md docs/plots/accuracy.svg docs/plots/converge.svg d
 EXTRA_DIST += bench/plot.gp
 
 # Some twenty minutes, more on a busy machine; the plots want gnuplot.  See bench/run.sh for parts of it.
-bench: weft bench/limits$(EXEEXT) bench/warm$(EXEEXT)
+bench: weft bench/limits$(EXEEXT) bench/warm$(EXEEXT) bench/write$(EXEEXT)
 	srcdir='$(srcdir)' WEFT=./weft sh '$(srcdir)/bench/run.sh'
 clean-local-bench:
 	-rm -rf bench/results

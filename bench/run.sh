@@ -8,7 +8,7 @@ set -eu
 srcdir=${srcdir:-.}
 export srcdir
 begin=$(date +%s)
-for part in ${BENCH:-limits skip estimate converge scaling gradient accuracy warm}; do
+for part in ${BENCH:-limits skip estimate converge scaling gradient accuracy warm write}; do
     [ -f "$srcdir/bench/$part.sh" ] || continue
     echo "== $part" >&2
     sh "$srcdir/bench/$part.sh"

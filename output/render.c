@@ -8,7 +8,6 @@
 #include <stdlib.h>
 
 enum {
-    SAMPLES = 4,    /* along a pixel's side */
     STEPS = 256,    /* places along a sample's side: what corners are rounded to, so that no gap opens between cells */
     BAND = 16,      /* rows of pixels at a time */
 };
@@ -28,6 +27,7 @@ struct corner {
 /* Some rows of samples. */
 struct band {
     double    shade;            /* as in struct render */
+    int       samples;          /* likewise */
     int       width;            /* samples */
     int64_t   first, end;       /* rows of samples */
     float    *depth;            /* ((end - first) x width) of the nearest so far */
@@ -39,15 +39,15 @@ static struct corner *place_corners(const struct render *r)
 {
     const struct surface *s = r->surface;
     size_t points = (size_t)(s->nx + 1) * (size_t)(s->ny + 1);
-    double unit = r->scale * SAMPLES * STEPS;
+    double unit = r->scale * r->samples * STEPS;
     struct corner *corner = malloc(points * sizeof *corner);
     for (size_t i = 0; corner && i < points; i++) {
         const double *n = s->normal + 3 * i;
         double seen[3];
         view_project(&r->view, s->position + 3 * i, seen);
         corner[i] = (struct corner){
-            .x = llround((seen[0] - r->centre[0]) * unit + 0.5 * r->width * SAMPLES * STEPS),
-            .y = llround((r->centre[1] - seen[1]) * unit + 0.5 * r->height * SAMPLES * STEPS),
+            .x = llround((seen[0] - r->centre[0]) * unit + 0.5 * r->width * r->samples * STEPS),
+            .y = llround((r->centre[1] - seen[1]) * unit + 0.5 * r->height * r->samples * STEPS),
             .depth = seen[2],
             .lit = n[0] * r->light[0] + n[1] * r->light[1] + n[2] * r->light[2],
         };
@@ -141,7 +141,7 @@ static void draw_triangle(struct band *band, struct triangle *t)
         along[k] = (from[k]->y - to[k]->y) * STEPS;
         down[k] = (to[k]->x - from[k]->x) * STEPS;
         if (t->lines >> k & 1)
-            t->line[k] = line_half * SAMPLES * hypot((double)along[k], (double)down[k]);
+            t->line[k] = line_half * band->samples * hypot((double)along[k], (double)down[k]);
     }
     for (int64_t j = top; j < bottom; j++) {
         int64_t inside[3] = {start[0], start[1], start[2]};
@@ -175,10 +175,10 @@ static void draw_cell(struct band *band, const struct render *r, const struct co
 /* The mean of a pixel's samples, what is empty counting as nothing. */
 static uint32_t pixel_of(const struct band *band, int x, int y)
 {
-    unsigned sum[4] = {0}, n = SAMPLES * SAMPLES;
-    for (int j = 0; j < SAMPLES; j++) {
-        const uint32_t *row = band->color + (size_t)(y * SAMPLES + j) * (size_t)band->width + (size_t)x * SAMPLES;
-        for (int i = 0; i < SAMPLES; i++) {
+    unsigned sum[4] = {0}, n = (unsigned)(band->samples * band->samples);
+    for (int j = 0; j < band->samples; j++) {
+        const uint32_t *row = band->color + (size_t)(y * band->samples + j) * (size_t)band->width + (size_t)(x * band->samples);
+        for (int i = 0; i < band->samples; i++) {
             if (row[i] == NOTHING)
                 continue;
             sum[0] += 255;
@@ -209,22 +209,23 @@ static void draw_band(struct band *band, const struct render *r, const struct co
     for (int j = 0; j < s->ny; j++)
         for (int i = 0; i < s->nx; i++)
             draw_cell(band, r, corner, i, j);
-    for (int64_t y = 0; y < (band->end - band->first) / SAMPLES; y++)
+    for (int64_t y = 0; y < (band->end - band->first) / band->samples; y++)
         for (int x = 0; x < r->width; x++)
             pixels[y * r->width + x] = pixel_of(band, x, (int)y);
 }
 
 bool render_pixels(const struct render *r, uint32_t *pixels)
 {
-    size_t samples = (size_t)r->width * SAMPLES * BAND * SAMPLES;
+    size_t samples = (size_t)r->width * BAND * (size_t)(r->samples * r->samples);
     struct corner *corner = place_corners(r);
-    struct band band = {.shade = r->shade, .width = r->width * SAMPLES, .depth = malloc(samples * sizeof *band.depth),
+    struct band band = {.shade = r->shade, .samples = r->samples, .width = r->width * r->samples,
+                        .depth = malloc(samples * sizeof *band.depth),
                         .color = malloc(samples * sizeof *band.color)};
     bool done = corner && band.depth && band.color;
     for (int first = 0; done && first < r->height; first += BAND) {
         int end = first + BAND < r->height ? first + BAND : r->height;
-        band.first = (int64_t)first * SAMPLES;
-        band.end = (int64_t)end * SAMPLES;
+        band.first = (int64_t)first * r->samples;
+        band.end = (int64_t)end * r->samples;
         draw_band(&band, r, corner, pixels + (size_t)first * (size_t)r->width);
     }
     free(band.depth);

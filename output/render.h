@@ -20,6 +20,7 @@ struct render {
     double                shade;        /* brightness of what the light does not reach, 0..1 */
     bool                  edges;        /* dark lines around the stitches */
     int                   width, height;/* pixels */
+    int                   samples;      /* along a pixel's side, of which the mean is taken: 1 or more */
     double                scale;        /* pixels per length */
     double                centre[2];    /* what view_project gives for the picture's middle */
 };

@@ -63,7 +63,7 @@ static uint32_t pixels[WIDTH * HEIGHT];
 
 static void shoot(const struct surface *s, const struct rgb *right, const struct rgb *wrong, const double angles[2], double scale, bool edges)
 {
-    struct render render = {.surface = s, .color = {right, wrong}, .view = view_make(angles), .shade = 0.5, .edges = edges,
+    struct render render = {.surface = s, .color = {right, wrong}, .view = view_make(angles), .shade = 0.5, .edges = edges, .samples = 4,
                             .width = WIDTH, .height = HEIGHT, .scale = scale};
     view_direction(&render.view, head_on, render.light);
     assert_true(render_pixels(&render, pixels));
