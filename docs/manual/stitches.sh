@@ -79,7 +79,8 @@ pictures() {
     for name in $(names); do
         script "$name" >"$folder/$name.knit"
         if [ ! "$folder/$name.png" -nt "$weft" ]; then
-            "$weft" run -q --no-manifest "$folder/$name.knit" -o "$folder/$name-wide.png" 2>/dev/null ||
+            echo "output \"$folder/$name-wide.png\" { width = 400 }" >>"$folder/$name.knit"
+            "$weft" run -q --no-manifest "$folder/$name.knit" 2>/dev/null ||
                 echo "docs: $name does not converge" >&2
             mv "$folder/$name-wide.png" "$folder/$name.png" || :
         fi
