@@ -18,22 +18,12 @@
 
 /* ---- what a point is ---- */
 
-static const char *number_text(struct arena *arena, double value)
-{
-    for (int digits = 6; digits < 17; digits++) {
-        const char *text = arena_printf(arena, "%.*g", digits, value);
-        if (strtod(text, NULL) == value)
-            return text;
-    }
-    return arena_printf(arena, "%.17g", value);
-}
-
 struct sweep_point sweep_point(const struct sweep *sweep, int number, struct arena *arena)
 {
     struct sweep_point point = {.number = number, .value = arena_array(arena, const char *, (size_t)sweep->naxes)};
     int width = snprintf(NULL, 0, "%d", sweep->npoints), rest = number - 1;
     for (int i = sweep->naxes - 1; i >= 0; i--) {
-        point.value[i] = number_text(arena, sweep->axis[i].point[rest % sweep->axis[i].npoints]);
+        point.value[i] = arena_number(arena, sweep->axis[i].point[rest % sweep->axis[i].npoints]);
         rest /= sweep->axis[i].npoints;
     }
     point.name = arena_printf(arena, "%0*d", width, number);

@@ -100,6 +100,18 @@ char *arena_printf(struct arena *arena, const char *format, ...)
     return text;
 }
 
+char *arena_number(struct arena *arena, double number)
+{
+    char text[32];
+
+    for (int digits = 6; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, number);
+        if (strtod(text, NULL) == number)
+            break;
+    }
+    return arena_copy(arena, text, strlen(text));
+}
+
 void arena_free(struct arena *arena)
 {
     while (arena->chunk) {

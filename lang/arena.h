@@ -27,6 +27,9 @@ char *arena_copy(struct arena *, const char *text, size_t length);
 char *arena_printf(struct arena *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 char *arena_vprintf(struct arena *, const char *format, va_list) __attribute__((format(printf, 2, 0)));
 
+/* A finite number, six digits or as many more as make it read back exactly. */
+char *arena_number(struct arena *, double number);
+
 /* Gives everything back; the arena is empty and usable again. */
 void arena_free(struct arena *);
 

@@ -112,15 +112,7 @@ static bool fits_extension(struct eval *eval, enum output_kind kind, struct span
 /* A param's value as part of a file's name. */
 static const char *value_text(struct eval *eval, struct value value)
 {
-    if (value.kind == VALUE_STRING)
-        return value.text;
-    for (int digits = 6; digits < 17; digits++) {
-        const char *text = arena_printf(eval->arena, "%.*g", digits, value.number);
-
-        if (strtod(text, NULL) == value.number)
-            return text;
-    }
-    return arena_printf(eval->arena, "%.17g", value.number);
+    return value.kind == VALUE_STRING ? value.text : arena_number(eval->arena, value.number);
 }
 
 static const char *param_text(struct eval *eval, const char *name, size_t length, struct span span)

@@ -82,6 +82,17 @@ holds() {
         "$(for file in "$@"; do echo "./$file"; done | sort | tr '\n' ' ')"
 }
 
+# opens NAME PROGRAM ARGUMENT...: another program can read it.
+opens() {
+    name=$1
+    shift
+    if command -v "$1" >/dev/null; then
+        check "$name opens" "$@"
+    else
+        skip "$name opens" "no $1"
+    fi
+}
+
 finish() {
     echo "1..$count"
 }

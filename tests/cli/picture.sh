@@ -24,16 +24,6 @@ done
 exits 0 'a picture asked for on the command line' "$WEFT" -q rib.knit -o picture:b.png
 check 'is there' test -s b.png
 
-# opens NAME PROGRAM ARGUMENT...: another program can read it.
-opens() {
-    name=$1
-    shift
-    if command -v "$1" >/dev/null; then
-        check "$name opens" "$@"
-    else
-        skip "$name opens" "no $1"
-    fi
-}
 opens a.pdf pdftoppm -r 20 -png a.pdf page
 opens a.svg rsvg-convert a.svg -o svg.png
 opens a.png pngtopnm a.png

@@ -107,3 +107,55 @@ char *sample_read(const char *path, size_t *size)
     fclose(stream);
     return text;
 }
+
+/* ---- for cmocka ---- */
+
+int sample_begin(void **state)
+{
+    struct place *place = calloc(1, sizeof *place);
+    sample_folder(place->folder);
+    sample_path(place, "x");
+    place->surface = sample_surface(2);
+    *state = place;
+    return 0;
+}
+
+int sample_end(void **state)
+{
+    struct place *place = *state;
+    sample_remove(place->folder);
+    file_log_free(&place->log);
+    surface_free(&place->surface);
+    free(place->bytes);
+    free(place);
+    return 0;
+}
+
+const char *sample_path(struct place *place, const char *name)
+{
+    snprintf(place->path, sizeof place->path, "%s/%s", place->folder, name);
+    return place->path;
+}
+
+const char *sample_read_back(struct place *place)
+{
+    free(place->bytes);
+    place->bytes = sample_read(place->path, &place->size);
+    return place->bytes;
+}
+
+char sample_shared[PATH_MAX];
+
+int sample_shared_begin(void **state)
+{
+    (void)state;
+    sample_folder(sample_shared);
+    return 0;
+}
+
+int sample_shared_end(void **state)
+{
+    (void)state;
+    sample_remove(sample_shared);
+    return 0;
+}

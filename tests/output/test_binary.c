@@ -21,42 +21,6 @@
 
 enum { NX = 6, NY = 4, POINTS = (NX + 1) * (NY + 1), CELLS = NX * NY };
 
-struct place {
-    char            folder[PATH_MAX], path[PATH_MAX + 8];
-    struct file_log log;
-    struct surface  surface;        /* 2 cells along a stitch's side: 6 x 4 */
-    char           *bytes;          /* of the file read last */
-    size_t          size;
-};
-
-static int set_up(void **state)
-{
-    struct place *p = calloc(1, sizeof *p);
-    sample_folder(p->folder);
-    snprintf(p->path, sizeof p->path, "%s/x", p->folder);
-    p->surface = sample_surface(2);
-    *state = p;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    struct place *p = *state;
-    sample_remove(p->folder);
-    file_log_free(&p->log);
-    surface_free(&p->surface);
-    free(p->bytes);
-    free(p);
-    return 0;
-}
-
-static void read_back(struct place *p)
-{
-    free(p->bytes);
-    p->bytes = sample_read(p->path, &p->size);
-    assert_non_null(p->bytes);
-}
-
 /* ---- numbers, the lowest byte first ---- */
 
 static uint64_t take(const char **at, size_t size)
@@ -131,7 +95,7 @@ static void ply_reads_back(void **state)
     struct place *p = *state;
     const struct surface *s = &p->surface;
     assert_true(ply_write(&p->log, p->path, &sample_scene, s));
-    read_back(p);
+    assert_non_null(sample_read_back(p));
     assert_memory_equal(p->bytes, "ply\nformat binary_little_endian 1.0\n", 36);
     assert_non_null(strstr(p->bytes, "\ncomment lost in this format: displacements, growth steps\n"));
     const char *at = strstr(p->bytes, ply_header);
@@ -163,7 +127,7 @@ static void stl_reads_back(void **state)
     static const int order[2][3] = {{0, 1, 2}, {0, 2, 3}};
     struct place *p = *state;
     assert_true(stl_write(&p->log, p->path, &p->surface));
-    read_back(p);
+    assert_non_null(sample_read_back(p));
     assert_int_equal(p->size, 84 + 50 * 2 * CELLS);
     assert_true(memcmp(p->bytes, "solid", 5) != 0 && strstr(p->bytes, "Lost: "));
     const char *at = p->bytes + 80;
@@ -199,7 +163,7 @@ struct gltf {
 
 static struct gltf gltf_read(struct place *p)
 {
-    read_back(p);
+    assert_non_null(sample_read_back(p));
     const char *at = p->bytes;
     assert_int_equal(take(&at, 4), 0x46546C67);
     assert_int_equal(take(&at, 4), 2);
@@ -381,7 +345,7 @@ static void glb_keeps_some_of_many_steps(void **state)
 
 int main(void)
 {
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, sample_begin, sample_end)
     const struct CMUnitTest tests[] = {
         TEST(ply_reads_back), TEST(stl_reads_back), TEST(glb_reads_back),
         TEST(glb_stops_at_the_last_step), TEST(glb_without_steps), TEST(glb_keeps_some_of_many_steps),

@@ -20,30 +20,6 @@
 #include "output/file.h"
 #include "tests/output/sample.h"
 
-struct place {
-    char            folder[PATH_MAX];
-    char            path[PATH_MAX + 16];
-    struct file_log log;
-};
-
-static int set_up(void **state)
-{
-    struct place *p = calloc(1, sizeof *p);
-    sample_folder(p->folder);
-    snprintf(p->path, sizeof p->path, "%s/x.txt", p->folder);
-    *state = p;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    struct place *p = *state;
-    sample_remove(p->folder);
-    file_log_free(&p->log);
-    free(p);
-    return 0;
-}
-
 static void assert_text(const char *path, const char *wanted)
 {
     size_t size;
@@ -155,7 +131,7 @@ static void missing_folder_is_named(void **state)
 static void folders_and_files_under_files_are_refused(void **state)
 {
     struct place *p = *state;
-    char under[PATH_MAX + 32];
+    char under[sizeof p->path + 16];
     assert_true(write_text(p, "old"));
     snprintf(under, sizeof under, "%s/x.json", p->path);
     assert_false(file_check(&p->log, under));
@@ -203,7 +179,7 @@ static void link_is_followed(void **state)
     char link_path[PATH_MAX + 16];
     snprintf(link_path, sizeof link_path, "%s/link", p->folder);
     assert_true(write_text(p, "old"));
-    assert_int_equal(symlink("x.txt", link_path), 0);
+    assert_int_equal(symlink("x", link_path), 0);
     struct file *file = file_create(&p->log, link_path);
     file_print(file, "new");
     assert_true(file_commit(file));
@@ -250,7 +226,7 @@ static void first_error_is_kept(void **state)
     assert_string_equal(p->log.error, "first 1");
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, sample_begin, sample_end)
 
 int main(void)
 {

@@ -20,45 +20,12 @@
 #include "output/vtp.h"
 #include "tests/output/sample.h"
 
-struct place {
-    char            folder[PATH_MAX];
-    struct file_log log;
-    struct surface  surface;        /* 2 cells along a stitch's side: 6 x 4 */
-};
-
-static int set_up(void **state)
+/* A whole file of the folder; free it. */
+static char *read_in(struct place *p, const char *name, size_t *size)
 {
-    struct place *p = calloc(1, sizeof *p);
-    sample_folder(p->folder);
-    p->surface = sample_surface(2);
-    *state = p;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    struct place *p = *state;
-    sample_remove(p->folder);
-    file_log_free(&p->log);
-    surface_free(&p->surface);
-    free(p);
-    return 0;
-}
-
-static char *read_in(const struct place *p, const char *name, size_t *size)
-{
-    char path[PATH_MAX + 64];
-    snprintf(path, sizeof path, "%s/%s", p->folder, name);
-    char *text = sample_read(path, size);
+    char *text = sample_read(sample_path(p, name), size);
     assert_non_null(text);
     return text;
-}
-
-static const char *path_in(const struct place *p, const char *name)
-{
-    static char path[PATH_MAX + 64];
-    snprintf(path, sizeof path, "%s/%s", p->folder, name);
-    return path;
 }
 
 /* ---- a reader of VTP ---- */
@@ -165,7 +132,7 @@ static int row(int cell)
 /* Everything a VTP of the sample must hold. */
 static void assert_vtp(struct place *p, enum output_format format)
 {
-    assert_true(vtp_write(&p->log, path_in(p, "x.vtp"), &sample_scene, &p->surface, format));
+    assert_true(vtp_write(&p->log, sample_path(p, "x.vtp"), &sample_scene, &p->surface, format));
     struct vtp vtp = {.ascii = format == FORMAT_ASCII};
     vtp.text = read_in(p, "x.vtp", &vtp.size);
     char value[64];
@@ -221,8 +188,8 @@ static void ascii_vtp_reads_back(void **state)
 static void vtp_is_the_same_twice(void **state)
 {
     struct place *p = *state;
-    assert_true(vtp_write(&p->log, path_in(p, "a.vtp"), &sample_scene, &p->surface, FORMAT_BINARY));
-    assert_true(vtp_write(&p->log, path_in(p, "b.vtp"), &sample_scene, &p->surface, FORMAT_BINARY));
+    assert_true(vtp_write(&p->log, sample_path(p, "a.vtp"), &sample_scene, &p->surface, FORMAT_BINARY));
+    assert_true(vtp_write(&p->log, sample_path(p, "b.vtp"), &sample_scene, &p->surface, FORMAT_BINARY));
     assert_string_equal(p->log.entry[0].sha256, p->log.entry[1].sha256);
 }
 
@@ -265,9 +232,9 @@ static void many_steps_sort_by_name(void **state)
     struct place *p = *state;
     struct scene scene = sample_scene;
     scene.solve.steps = 100;
-    struct pvd pvd = pvd_begin(&p->log, path_in(p, "x.pvd"), &scene, FORMAT_BINARY);
+    struct pvd pvd = pvd_begin(&p->log, sample_path(p, "x.pvd"), &scene, FORMAT_BINARY);
     assert_true(pvd_step(&pvd, 0, &p->surface));
-    assert_int_equal(access(path_in(p, "x_000.vtp"), R_OK), 0);
+    assert_int_equal(access(sample_path(p, "x_000.vtp"), R_OK), 0);
     pvd_end(&pvd);
 }
 
@@ -286,7 +253,7 @@ static void obj_reads_back(void **state)
 {
     struct place *p = *state;
     size_t size;
-    assert_true(obj_write(&p->log, path_in(p, "x.obj"), &sample_scene, &p->surface));
+    assert_true(obj_write(&p->log, sample_path(p, "x.obj"), &sample_scene, &p->surface));
     char *text = read_in(p, "x.obj", &size), *rest = text;
     int vertices = 0, normals = 0, faces = 0, group = -1, per_group[3] = {0};
     static const char *const materials[] = {"usemtl knit", "usemtl purl", "usemtl slip"};
@@ -321,7 +288,7 @@ static void obj_names_materials_that_exist(void **state)
 {
     struct place *p = *state;
     size_t size;
-    assert_true(obj_write(&p->log, path_in(p, "x.obj"), &sample_scene, &p->surface));
+    assert_true(obj_write(&p->log, sample_path(p, "x.obj"), &sample_scene, &p->surface));
     char *obj = read_in(p, "x.obj", &size), *mtl = read_in(p, "x.mtl", &size);
     assert_non_null(strstr(obj, "\nmtllib x.mtl\n"));
     assert_non_null(strstr(mtl, "newmtl knit\n"));
@@ -332,7 +299,7 @@ static void obj_names_materials_that_exist(void **state)
     free(mtl);
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, sample_begin, sample_end)
 
 int main(void)
 {

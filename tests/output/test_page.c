@@ -28,22 +28,6 @@ const char *const page_template[] = {"<title>", "@title@", "<data>", "@data@", "
 
 enum { PER_STITCH = 2, NX = 3 * PER_STITCH, NY = 2 * PER_STITCH, STEPS = 2, FIELDS = 7 };
 
-static char folder[PATH_MAX];
-
-static int make_folder(void **state)
-{
-    (void)state;
-    sample_folder(folder);
-    return 0;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    sample_remove(folder);
-    return 0;
-}
-
 /* ---- a page, written and read ---- */
 
 static const struct fold_step steps[STEPS] = {{.growth = 0.5, .energy = {3, 1, 2, 0}}, {.growth = 1, .energy = {7, 3, 4, 0}}};
@@ -77,7 +61,7 @@ static char *write_page(const struct scene *scene, int nsteps, const struct fold
         surface_free(&s);
     }
     assert_int_equal(page_nsteps(page), nsteps);
-    snprintf(path, sizeof path, "%s/x.html", folder);
+    snprintf(path, sizeof path, "%s/x.html", sample_shared);
     assert_true(page_write(page, &log, path, r));
     assert_null(log.error);
     page_end(page);
@@ -361,5 +345,5 @@ int main(void)
         cmocka_unit_test(many_steps_are_thinned),
         cmocka_unit_test(large_swatches_are_sampled_less),
     };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+    return cmocka_run_group_tests(tests, sample_shared_begin, sample_shared_end);
 }

@@ -122,39 +122,10 @@ static void numbers_are_printed_short(void **state)
 
 /* ---- files ---- */
 
-struct place {
-    char            folder[PATH_MAX];
-    char            path[PATH_MAX + 16];
-    struct file_log log;
-};
-
-static int set_up(void **state)
-{
-    struct place *p = calloc(1, sizeof *p);
-    sample_folder(p->folder);
-    *state = p;
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    struct place *p = *state;
-    sample_remove(p->folder);
-    file_log_free(&p->log);
-    free(p);
-    return 0;
-}
-
-static const char *named(struct place *p, const char *name)
-{
-    snprintf(p->path, sizeof p->path, "%s/%s", p->folder, name);
-    return p->path;
-}
-
 static char *svg_of(struct place *p, const struct plot *plot)
 {
     size_t size;
-    assert_true(plot_lines(&p->log, named(p, "x.svg"), plot));
+    assert_true(plot_lines(&p->log, sample_path(p, "x.svg"), plot));
     char *svg = sample_read(p->path, &size);
     assert_non_null(svg);
     return svg;
@@ -264,7 +235,7 @@ static void there_may_be_little_to_show(void **state)
         struct plot_panel panel[2] = {{.x = {.title = "x", .scale = AXIS_AUTO}, .y = {.title = "y", .scale = (enum axis_scale)(i % 3)},
                                        .nlines = i / 9 < 3, .line = &line[i / 9 % 3]}};
         panel[1] = panel[0];
-        assert_true(plot_lines(&p->log, named(p, names[i / 3 % 3]), &(struct plot){.width = 100, .npanels = 2, .panel = panel}));
+        assert_true(plot_lines(&p->log, sample_path(p, names[i / 3 % 3]), &(struct plot){.width = 100, .npanels = 2, .panel = panel}));
         const struct plot_map map = {.x_title = "x", .y_title = "y", .title = "t", .scale = (enum axis_scale)(i % 3), .nx = i < 18,
                                      .ny = 1, .x = one, .y = one, .value = i % 2 ? one : none};
         assert_true(plot_map(&p->log, p->path, &map));
@@ -272,7 +243,7 @@ static void there_may_be_little_to_show(void **state)
     char *svg = svg_of(p, &(struct plot){.npanels = 1, .panel = &(struct plot_panel){.x = {.title = "x"}, .y = {.title = "y"}, .nlines = 1, .line = &line[1]}});
     assert_non_null(strstr(svg, "fill:rgb(12.156863%,30.588235%,54.901961%)"));     /* a mark */
     free(svg);
-    assert_false(plot_lines(&p->log, named(p, "none/x.svg"), &(struct plot){0}));
+    assert_false(plot_lines(&p->log, sample_path(p, "none/x.svg"), &(struct plot){0}));
     assert_non_null(p->log.error);
 }
 
@@ -288,7 +259,7 @@ static void same_numbers_same_bytes(void **state)
         char before[FILE_HASH] = "";
         for (int turn = 0; turn < 2; turn++) {
             const struct plot plot = {.title = "two", .npanels = 1, .panel = &panel};
-            assert_true(i < 3 ? plot_lines(&p->log, named(p, names[i % 3]), &plot) : plot_map(&p->log, named(p, names[i % 3]), &map));
+            assert_true(i < 3 ? plot_lines(&p->log, sample_path(p, names[i % 3]), &plot) : plot_map(&p->log, sample_path(p, names[i % 3]), &map));
             if (turn)
                 assert_string_equal(file_log_find(&p->log, p->path)->sha256, before);
             strcpy(before, file_log_find(&p->log, p->path)->sha256);
@@ -322,11 +293,11 @@ static void check_map(struct place *p, const struct plot_map *map, enum colours_
 {
     size_t size;
     double box[4];
-    assert_true(plot_map(&p->log, named(p, "x.svg"), map));
+    assert_true(plot_map(&p->log, sample_path(p, "x.svg"), map));
     char *svg = sample_read(p->path, &size);
     read_frame(svg, box);
     free(svg);
-    assert_true(plot_map(&p->log, named(p, "x.png"), map));
+    assert_true(plot_map(&p->log, sample_path(p, "x.png"), map));
     cairo_surface_t *image = cairo_image_surface_create_from_png(p->path);
     assert_int_equal(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
     for (int k = 0; k < map->nx * map->ny; k++) {
@@ -364,7 +335,7 @@ static void table_reads_back_exactly(void **state)
     struct place *p = *state;
     size_t size;
     const struct fold_record record = {.nsteps = 2, .step = steps};
-    assert_true(growth_table(&p->log, named(p, "x.csv"), &record));
+    assert_true(growth_table(&p->log, sample_path(p, "x.csv"), &record));
     char *text = sample_read(p->path, &size), *rest = text;
     assert_string_equal(strsep(&rest, "\n"), "growth,energy,stretching,bending,springs,iterations,gradient_max");
     for (int i = 0; i < 2; i++) {
@@ -381,7 +352,7 @@ static void table_reads_back_exactly(void **state)
     }
     assert_string_equal(rest, "");
     free(text);
-    assert_true(growth_table(&p->log, named(p, "x.csv"), &(struct fold_record){0}));
+    assert_true(growth_table(&p->log, sample_path(p, "x.csv"), &(struct fold_record){0}));
     text = sample_read(p->path, &size);
     assert_string_equal(text, "growth,energy,stretching,bending,springs,iterations,gradient_max\n");
     free(text);
@@ -407,7 +378,7 @@ static void growth_is_plotted(void **state)
     for (int i = 0; i < 3; i++)
         made[i] = (struct fold_step){.growth = (i + 1) / 3., .energy = {i + 2, i, 2, 0}, .iterations = i, .gradient_max = pow(10, -i)};
     const struct fold_record record = {.nsteps = 3, .step = made};
-    struct output output = {.kind = OUTPUT_PLOT, .path = named(p, "x.svg"), .graph = {.width = 640}};
+    struct output output = {.kind = OUTPUT_PLOT, .path = sample_path(p, "x.svg"), .graph = {.width = 640}};
     assert_int_equal(count_lines(p, &output, &record), 6);
     made[1].energy.springs = 1e-3;
     assert_int_equal(count_lines(p, &output, &record), 8);
@@ -418,7 +389,7 @@ static void growth_is_plotted(void **state)
     assert_int_equal(count_lines(p, &output, &(struct fold_record){0}), 0);
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, sample_begin, sample_end)
 
 int main(void)
 {

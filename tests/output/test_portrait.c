@@ -196,22 +196,6 @@ static void scales_leave_out_two_percent(void **state)
 
 /* ---- files ---- */
 
-static char folder[PATH_MAX];
-
-static int make_folder(void **state)
-{
-    (void)state;
-    sample_folder(folder);
-    return 0;
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    sample_remove(folder);
-    return 0;
-}
-
 /* The flat sheet of the sample scene. */
 static struct surface flat_sample(int per_stitch)
 {
@@ -229,7 +213,7 @@ static char *write_it(const char *name, struct picture picture, size_t *size)
     char path[2 * PATH_MAX];
     struct file_log log = {0};
     struct surface s = flat_sample(2);
-    snprintf(path, sizeof path, "%s/%s", folder, name);
+    snprintf(path, sizeof path, "%s/%s", sample_shared, name);
     assert_true(portrait_write(&log, &(struct output){.kind = OUTPUT_PICTURE, .path = path, .picture = picture},
                               &sample_scene, &s));
     assert_null(log.error);
@@ -245,7 +229,7 @@ static cairo_surface_t *read_png(struct picture picture)
     char path[2 * PATH_MAX];
     size_t size;
     free(write_it("x.png", picture, &size));
-    snprintf(path, sizeof path, "%s/x.png", folder);
+    snprintf(path, sizeof path, "%s/x.png", sample_shared);
     cairo_surface_t *image = cairo_image_surface_create_from_png(path);
     assert_int_equal(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
     return image;
@@ -385,5 +369,5 @@ int main(void)
         cmocka_unit_test(scale_runs_from_low_to_high),
         cmocka_unit_test(all_formats_are_complete_and_repeat),
     };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+    return cmocka_run_group_tests(tests, sample_shared_begin, sample_shared_end);
 }

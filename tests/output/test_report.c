@@ -33,7 +33,7 @@ static struct fold_record record = {
     .shape_error = -1, .nsteps = 2, .step = steps, .assemble_s = 0.5,
 };
 
-struct place {
+struct reported {
     char            folder[PATH_MAX];
     char            path[PATH_MAX + 16];
     struct file_log log;
@@ -42,7 +42,7 @@ struct place {
 
 static int set_up(void **state)
 {
-    struct place *p = calloc(1, sizeof *p);
+    struct reported *p = calloc(1, sizeof *p);
     sample_folder(p->folder);
     snprintf(p->path, sizeof p->path, "%s/x.json", p->folder);
     struct report report = {
@@ -63,7 +63,7 @@ static int set_up(void **state)
 
 static int tear_down(void **state)
 {
-    struct place *p = *state;
+    struct reported *p = *state;
     cJSON_Delete(p->root);
     sample_remove(p->folder);
     file_log_free(&p->log);
@@ -85,7 +85,7 @@ static const cJSON *at(const cJSON *node, const char *dotted)
 
 static void every_number_is_exact(void **state)
 {
-    struct place *p = *state;
+    struct reported *p = *state;
     const struct { const char *key; double value; } wanted[] = {
         {"schema", 1}, {"scene.rows", 2}, {"scene.columns", 3}, {"scene.knit", 3}, {"scene.purl", 2}, {"scene.other", 1},
         {"parameters.thickness.value", 0.5}, {"parameters.half.value", 1. / 3},
@@ -110,7 +110,7 @@ static void every_number_is_exact(void **state)
 
 static void every_text_is_there(void **state)
 {
-    struct place *p = *state;
+    struct reported *p = *state;
     static const struct { const char *key, *value; } wanted[] = {
         {"weft", PACKAGE_VERSION}, {"scene.file", "a \"quoted\" \xEF\xBF\xBD name.knit"},
         {"scene.sha256", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"},
@@ -128,7 +128,7 @@ static void every_text_is_there(void **state)
 
 static void what_is_not_known_is_null(void **state)
 {
-    struct place *p = *state;
+    struct reported *p = *state;
     static const char *const keys[] = {"shape.error_estimate", "shape.rms_height", "shape.max_normal_curvature", "solve.remark"};
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
         assert_true(cJSON_IsNull(at(p->root, keys[i])));
@@ -137,7 +137,7 @@ static void what_is_not_known_is_null(void **state)
 /* A double could not hold it. */
 static void seed_keeps_all_its_digits(void **state)
 {
-    struct place *p = *state;
+    struct reported *p = *state;
     size_t size;
     char *text = sample_read(p->path, &size);
     assert_non_null(strstr(text, "18446744073709551615"));
@@ -159,7 +159,7 @@ static void numbers_are_short_and_exact(void **state)
     }
 }
 
-static void assert_chart(struct place *p, void (*print)(struct file *, const struct scene *), const char *wanted)
+static void assert_chart(struct reported *p, void (*print)(struct file *, const struct scene *), const char *wanted)
 {
     struct file *file = file_create(&p->log, p->path);
     print(file, &sample_scene);
@@ -178,7 +178,7 @@ static void charts_are_the_right_way_round(void **state)
 
 static void grid_hash_is_that_of_the_grid(void **state)
 {
-    struct place *p = *state;
+    struct reported *p = *state;
     const char *reported = cJSON_GetStringValue(at(p->root, "scene.grid_sha256"));
     struct file *file = file_create(&p->log, p->path);
     chart_grid(file, &sample_scene);
