@@ -9,6 +9,7 @@
 
 #include "lang/scanner.h"
 #include "lang/syntax.h"
+#include "lang/typos.h"
 
 enum { TITLE_LINES = 3, TITLE_WORDS = 10, SENTENCE = 6, LONGEST = 4000 };
 
@@ -235,9 +236,11 @@ bool prose_row_follows(const char *text)
 
 bool prose_is_remark(const char *text)
 {
-    size_t n = 1 + strspn(text + 1, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ ,-");
+    size_t n = 1, longest = 0;
 
-    return *text == '(' && text[n] == ')' && *skip_blanks(text + n + 1) == ':';
+    for (; isalpha((unsigned char)text[n]) || strchr(" ,-", text[n] ? text[n] : '.'); n += word_length(text + n) ? word_length(text + n) : 1)
+        longest = word_length(text + n) > longest ? word_length(text + n) : longest;
+    return *text == '(' && longest > 2 && text[n] == ')' && *skip_blanks(text + n + 1) == ':';
 }
 
 /* Behind the numbers and the side of a row's head; or NULL. */
@@ -357,7 +360,9 @@ static bool is_nearly_statement(const char *text)
  * follows is no mere text. */
 static bool is_mistyped(const char *text)
 {
-    return line_has(text, "0123456789:\"=({") && is_nearly_statement(text);
+    size_t length;
+
+    return typos_beginning(text, &length) || (line_has(text, "0123456789:\"=({") && is_nearly_statement(text));
 }
 
 /* `k2`, `P10`: a stitch with its number. */

@@ -77,6 +77,32 @@ static bool is_word(const char *text, size_t length, const char *word)
     return strlen(word) == length && strncasecmp(text, word, length) == 0;
 }
 
+/* What a word behind `rep` was to be, told by what follows it; NULL: nothing is wrong. */
+static const char *repeat_expects(const char *word, const char *behind)
+{
+    if (*behind == '*' && !is_word(word, word_length(word), "from"))
+        return "'from'";
+    if (is_word(word, word_length(word), "from") && *behind != '*' && !prose_repeats_rows(behind))
+        return "'*'";
+    return isdigit((unsigned char)*behind) && !prose_repeats_rows(word) ? "'rows'" : NULL;
+}
+
+int scanner_repeat(struct scanner *scanner)
+{
+    const char *text = SCANNER_TEXT(scanner), *word = text + strspn(text, " \t"), *behind = word + word_length(word);
+    struct span span = {scanner->parse->source, scanner->at + (unsigned)(word - text), scanner->at + (unsigned)(behind - text)};
+    const char *expected = behind > word ? repeat_expects(word, behind + strspn(behind, " \t")) : NULL;
+
+    if (!expected || (strcmp(expected, "'rows'") == 0 && !syntax_meant(scanner->parse, span)))
+        return scanner_token(scanner, scanner_closes_group(scanner) ? TOKEN_REP : TOKEN_REP_ALL);
+    if (strcmp(expected, "'*'") == 0) {
+        span.start = span.end + (unsigned)strspn(behind, " \t");
+        span.end = span.start + (unsigned)word_length(SCANNER_TEXT(scanner) + (span.start - scanner->at));
+    }
+    scanner->star = false;
+    return syntax_unknown_word(scanner->parse, span, expected);
+}
+
 /* ---- values ---- */
 
 int scanner_text(struct scanner *scanner, KNIT_STYPE *value, int kind, struct span span, const char *text,

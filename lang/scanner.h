@@ -75,6 +75,9 @@ bool scanner_closes_group(const struct scanner *);
 /* Whether a comma, a bracket or a star stands before. */
 bool scanner_begins_item(const struct scanner *);
 
+/* `rep` in a row without `from *`: what is repeated is the group before, or the row so far. */
+int scanner_repeat(struct scanner *);
+
 /* Each sets the value only. */
 void scanner_number_of(KNIT_STYPE *, const char *text);
 void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *text);

@@ -9,6 +9,7 @@
 #include "lang/limits.h"
 #include "lang/refused.h"
 #include "lang/scanner.h"
+#include "lang/typos.h"
 
 enum { LIMIT_REFUSED = 1000 };      /* bytes of a row that are looked at for it */
 
@@ -41,7 +42,8 @@ bool syntax_is_row(const char *text)
 {
     char c = (char)tolower((unsigned char)text[0]);
 
-    if (c == '*' || c == '(' || c == '[' || strncasecmp(text, "rep", 3) == 0)
+    if (c == '*' || c == '(' || c == '[' || strncasecmp(text, "repeat", 6) == 0 ||
+        (strncasecmp(text, "rep", 3) == 0 && !isalpha((unsigned char)text[3])))
         return true;
     return (c == 'k' || c == 'p') && (isdigit((unsigned char)text[1]) || strchr(", \r\n", text[1]));
 }
@@ -51,8 +53,11 @@ static void no_statement(struct parse *parse, struct span span)
 {
     const char *text = span.source->text + span.start;
     size_t length = strcspn(text, " \t\r\n,;:(){}[]*=\"#"), behind;
+    const char *beginning = typos_beginning(text, &behind);
     char *word;
 
+    if (beginning)
+        length = behind;
     if (length == 0)
         length = *text != '\0';
     if (length > LIMIT_NAME)
@@ -65,7 +70,9 @@ static void no_statement(struct parse *parse, struct span span)
         return;
     }
     diag_error(parse->diag, CODE_STATEMENT, span, "no statement begins with '%s'", word);
-    if (syntax_is_row(text))
+    if (beginning)
+        diag_did_you_mean(parse->diag, beginning);
+    else if (syntax_is_row(text))
         diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`");
     else if (text[behind] == '=' && text[behind + 1] != '=')
         diag_hint(parse->diag, "to give a name to a value: `let %s = ...`", word);
@@ -83,6 +90,13 @@ static const char *found_text(struct parse *parse, struct span span, const char 
     if (length > 30 || memchr(span.source->text + span.start, '\n', length))
         return found;
     return arena_printf(parse->arena, "'%.*s'", (int)length, span.source->text + span.start);
+}
+
+const char *syntax_meant(struct parse *parse, struct span span)
+{
+    size_t length = span.end - span.start;
+
+    return length < LIMIT_NAME ? typos_meant(arena_copy(parse->arena, span.source->text + span.start, length)) : NULL;
 }
 
 /* What cannot be read in a row is often a part of what cannot be knitted there. */
@@ -136,6 +150,16 @@ void syntax_error(struct parse *parse, struct span span, const char *found, cons
                    found_text(parse, span, found));
     else
         diag_error(parse->diag, CODE_SYNTAX, span, "did not expect %s here", found_text(parse, span, found));
+    diag_did_you_mean(parse->diag, syntax_meant(parse, span));
+}
+
+int syntax_unknown_word(struct parse *parse, struct span span, const char *expected)
+{
+    const char *found = span.end > span.start ? "a word" : "the end of the line";
+
+    diag_error(parse->diag, CODE_SYNTAX, span, "expected %s, found %s", expected, found_text(parse, span, found));
+    diag_did_you_mean(parse->diag, syntax_meant(parse, span));
+    return TOKEN_KNIT_error;
 }
 
 /* ---- rows ---- */

@@ -11,6 +11,12 @@ enum { SYNTAX_EXPECTED = 6 };       /* more alternatives than this are not liste
 /* `found` and `expected` are the grammar's names of tokens. */
 void syntax_error(struct parse *, struct span, const char *found, const char *const *expected, int n);
 
+/* The word of rows that was meant by the one found, or NULL. */
+const char *syntax_meant(struct parse *, struct span);
+
+/* A word that is none of those expected; returns the parser's error token. */
+int syntax_unknown_word(struct parse *, struct span, const char *expected);
+
 /* Whether a text looks like the stitches of a row: `k2`, `*`, `[`, `rep`. */
 bool syntax_is_row(const char *text);
 void syntax_too_deep(struct parse *, struct span);

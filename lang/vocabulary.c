@@ -3,6 +3,7 @@
 #include "lang/vocabulary.h"
 
 #include "lang/refused.h"
+#include "lang/typos.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -49,15 +50,9 @@ static bool find(const struct eval *eval, const struct module *module, const cha
     return false;
 }
 
-static void unknown(struct eval *eval, const struct module *module, const char *word, unsigned start)
+static struct nearest nearest_stitch(const struct module *module, const char *word)
 {
     struct nearest nearest = nearest_to(word);
-    struct span span = {module->source, start, start + (unsigned)strlen(word)};
-
-    if (refused_word(eval->diag, word, span)) {
-        eval->refused = diag_line_around(span);
-        return;
-    }
 
     for (int i = 0; i < PLAIN; i++)
         nearest_offer(&nearest, plain[i].word);
@@ -65,14 +60,41 @@ static void unknown(struct eval *eval, const struct module *module, const char *
         if (binding_target((struct binding *)b) &&
             binding_target((struct binding *)b)->kind == BINDING_STITCH)
             nearest_offer(&nearest, b->name);
+    return nearest;
+}
+
+/* What was meant by a word that is no stitch: a stitch, or a word of rows.  Where the word is
+ * one of those (`to edn`) the slip may stand behind it; the span becomes the slip's. */
+static const char *meant_by(struct eval *eval, const struct module *module, struct span *span, const char *word, bool *of_rows)
+{
+    struct nearest stitch = nearest_stitch(module, word);
+    const char *meant = typos_is_word(word) ? typos_in_line(eval->arena, span) : typos_meant(word);
+
+    *of_rows = meant && !(stitch.best && stitch.distance <= 1);
+    return *of_rows ? meant : stitch.best;
+}
+
+static void unknown(struct eval *eval, const struct module *module, const char *word, unsigned start)
+{
+    struct span span = {module->source, start, start + (unsigned)strlen(word)};
+    bool told = eval->refused.source == span.source && start >= eval->refused.start && start < eval->refused.end, of_rows;
+    const char *meant;
+
+    if (refused_word(eval->diag, word, span)) {
+        eval->refused = diag_line_around(span);
+        return;
+    }
 
     /* What else stands in a row that cannot be knitted goes with it. */
-    if (!nearest.best && eval->refused.source == span.source && span.start >= eval->refused.start && span.start < eval->refused.end)
+    meant = meant_by(eval, module, &span, word, &of_rows);
+    if (told && (!meant || typos_is_word(word)))
         return;
-    diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
-    diag_did_you_mean(eval->diag, nearest.best);
-    if (!nearest.best)
+    diag_error(eval->diag, CODE_STITCH, span, "'%.*s' is no stitch", (int)(span.end - span.start), span.source->text + span.start);
+    diag_did_you_mean(eval->diag, meant);
+    if (!meant)
         diag_hint(eval->diag, "stitches are k, p, and your own: `stitch T { kx = .. }`");
+    if (of_rows)
+        eval->refused = diag_line_around(span);
 }
 
 bool vocabulary_stitch(struct eval *eval, const struct module *module, const char *word, size_t length, unsigned start,

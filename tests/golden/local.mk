@@ -66,6 +66,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/sweep.knit \
     tests/golden/sweep_range.knit \
     tests/golden/syntax.knit \
+    tests/golden/typos.knit \
+    tests/golden/typos_in_rows.knit \
     tests/golden/unclosed.knit \
     tests/golden/used.knit \
     tests/golden/used_motifs.txt \
@@ -106,6 +108,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/sweep.expected \
     tests/golden/sweep_range.expected \
     tests/golden/syntax.expected \
+    tests/golden/typos.expected \
+    tests/golden/typos_in_rows.expected \
     tests/golden/unclosed.expected \
     tests/golden/used.expected \
     tests/golden/values.expected \
