@@ -135,6 +135,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token THEN_ROWS        "'then rows'"
 %token CAST_ON          "'cast on'"
 %token SIZES            "further sizes"
+%token EDGES            "a border"
 %token <parity> NUMBER_OF "'an even number of'"
 %token <side> SETUP            "'set-up row'"
 %token <text> PLAIN_ROWS "'knit' or 'purl' so many rows"
@@ -335,6 +336,7 @@ multiple:
   MULTIPLE_OF count sts                 { $$ = (struct multiple){$count, NULL, @$}; }
 | MULTIPLE_OF count[of] sts '+' count[plus] sts
                                         { $$ = (struct multiple){$of, $plus, @$}; }
+| MULTIPLE_OF count sts EDGES           { $$ = syntax_parity(parse, @$, 1, 0); (void)$count; }
 | NUMBER_OF                             { $$ = syntax_parity(parse, @$, $1.of, $1.plus); }
 ;
 sts: %empty | STS;
@@ -462,6 +464,7 @@ item:
 | NAME TWICE                            { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, expr_number(parse, @2, $2.value, 0), @2}); }
 | NAME STS                              { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
 | NAME NUMBER sts                       { $$ = item_stitches(parse, @$, $1, @2, $2.value); }
+| NAME NUMBER position                  { $$ = item_stitch(parse, @$, $1, expr_number(parse, @2, $2.value, 0), $position); }
 | NAME HOLE expr '}' sts                { $$ = item_stitch(parse, @$, $1, $expr, (struct until){.span = @1}); }
 | NAME count TIMES                      { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, $count, span_join(@2, @3)}); }
 | '(' items ')' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }
@@ -507,11 +510,16 @@ count:
 
 repeat_statement:
   REPEAT_ROWS parts again               { $$ = stmt_again(parse, @$, syntax_again($parts.first, NULL, $again)); }
+| REPEAT_LAST count ROW_WORD IN_FABRIC FABRIC again
+                                        { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
 | REPEAT_THEM again                     { $$ = stmt_again(parse, @$, (struct again){AGAIN_THEM, NULL, NULL, $again.kind, $again.pattern, $again.n, $again.then}); }
 | GO_ON_ROWS count more ROW_WORD pattern
                                         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
+| WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
+| WORK count more ROW_WORD MORE         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
+| WORK FOR_ROWS count more ROW_WORD     { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK_ROWS parts again                 { $$ = stmt_again(parse, @$, syntax_work_again(parse, @$, $parts.first, $again)); }
 ;
 pattern: %empty | FOR_PATTERN;

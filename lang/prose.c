@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/refused.h"
 #include "lang/scanner.h"
 #include "lang/syntax.h"
 #include "lang/typos.h"
@@ -156,7 +157,7 @@ bool prose_repeats_rows(const char *text)
     text = skip_blanks(text);
     if (is_word(text, "from") || is_word(text, "the"))
         text = skip_blanks(text + word_length(text));
-    return is_one_of(text, word, sizeof word / sizeof *word) || is_rows_word(text) ||
+    return is_one_of(text, word, sizeof word / sizeof *word) || is_rows_word(text) || (is_word(text, "r") && isdigit((unsigned char)text[1])) ||
            (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
 }
 
@@ -169,6 +170,19 @@ bool prose_fabric_follows(const char *text)
     return is_one_of(text, word, sizeof word / sizeof *word) ||
            (isdigit((unsigned char)*text) && ((*by && strchr("xX/\xC3", *by)) || is_word(by, "by"))) ||
            (strchr("kK", *text) && isdigit((unsigned char)*skip_blanks(text + 1)));
+}
+
+bool prose_casts_some(const char *text)
+{
+    static const char *const word[] = {"beg", "beginning", "each", "next"};
+    const char *number = strstr(text, "off");
+
+    if (!number || !isdigit((unsigned char)*skip_blanks(number + 3)))
+        return false;
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+        if (line_has_word(text, word[i]))
+            return true;
+    return false;
 }
 
 size_t prose_row_count(const char *sentence)
@@ -227,6 +241,12 @@ bool prose_times_follow(const char *text)
     const char *behind = behind_number(skip_blanks(text));
 
     return behind && (is_word(behind, "times") || is_word(behind, "time") || is_word(behind, "more"));
+}
+
+bool prose_row_is_named(const char *text)
+{
+    text = skip_blanks(text);
+    return is_rows_word(text) && *skip_blanks(text + word_length(text)) == ':';
 }
 
 bool prose_row_follows(const char *text)
@@ -477,6 +497,10 @@ bool scanner_prose(struct scanner *scanner)
     }
     if (!prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text))
         return false;
+
+    /* An instruction is none, once there is a pattern. */
+    if (scanner->begun && refused_sentence(parse->diag, span))
+        return true;
 
     /* Nothing says what this is: it is named, once for lines that follow each other. */
     lines = block_length(text, &end);

@@ -23,9 +23,13 @@ bool prose_has_cast_on(const char *text);           /* "20 sts": so many stitche
 bool prose_stitches_follow(const char *text);       /* a row's text, of a list that numbers its rows */
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */
+bool prose_row_is_named(const char *text);          /* "row:" */
 bool prose_row_follows(const char *text);           /* "row 1" */
 bool prose_is_remark(const char *text);             /* "(set-up row):": words before a row's colon */
 bool prose_pattern_follows(const char *text);       /* a row with its name, a cast-on, a multiple */
+
+/* "Cast off 4 sts at beg of next 2 rows": not all of them. */
+bool prose_casts_some(const char *text);
 
 /* Where in a sentence "18 rows" stands; 0: nowhere. */
 size_t prose_row_count(const char *sentence);

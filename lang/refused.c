@@ -201,3 +201,100 @@ bool refused_text(struct diag *diag, struct span span)
     }
     return false;
 }
+
+/* ---- sentences ---- */
+
+/* What a sentence of a page may ask for, as the words it begins with or has in it. `~` stands for a
+ * colour: A, MC; `^` in front: only where the line or a clause of it begins. */
+static const struct {
+    const char *words, *what;
+    enum reason reason;
+} sentences[] = {
+    {"dec #", "a decrease", TOPOLOGY},
+    {"dec one", "a decrease", TOPOLOGY},
+    {"decrease #", "a decrease", TOPOLOGY},
+    {"decrease one", "a decrease", TOPOLOGY},
+    {"^dec at", "a decrease", TOPOLOGY},
+    {"^decrease at", "a decrease", TOPOLOGY},
+    {"^dec each", "a decrease", TOPOLOGY},
+    {"inc #", "an increase", TOPOLOGY},
+    {"inc one", "an increase", TOPOLOGY},
+    {"increase #", "an increase", TOPOLOGY},
+    {"increase one", "an increase", TOPOLOGY},
+    {"^inc at", "an increase", TOPOLOGY},
+    {"^increase at", "an increase", TOPOLOGY},
+    {"^inc each", "an increase", TOPOLOGY},
+    {"^k#tog", "a decrease", TOPOLOGY},
+    {"^p#tog", "a decrease", TOPOLOGY},
+    {"^pick up and knit", "an increase", TOPOLOGY},
+    {"^pick up and k", "an increase", TOPOLOGY},
+    {"^slip #", "a slipped stitch", TOPOLOGY},
+    {"^slip first", "a slipped stitch", TOPOLOGY},
+    {"^slip the first", "a slipped stitch", TOPOLOGY},
+    {"^work short rows", "short rows", SHORT_ROWS},
+    {"^with ~", "a colour", COLOURS},
+    {"^using ~", "a colour", COLOURS},
+    {"^change to ~", "a colour", COLOURS},
+    {"^join ~", "a colour", COLOURS},
+    {"^switch to ~", "a colour", COLOURS},
+};
+
+static bool is_colour_name(const char *text, size_t length)
+{
+    if (length == 1)
+        return strchr("ABCDEF", *text) != NULL;
+    return (length == 2 || (length == 3 && isdigit((unsigned char)text[2]))) && (strncmp(text, "MC", 2) == 0 || strncmp(text, "CC", 2) == 0);
+}
+
+/* How many bytes of the text the words take; 0: it has others. */
+static size_t sentence_length(const char *words, const char *text)
+{
+    size_t at = 0;
+
+    for (const char *word = words; *word; word += strcspn(word, " "), word += *word == ' ') {
+        size_t n = strcspn(word, " "), length = strcspn(text + at, " \t\r\n,.;:(){}[]*");
+        char pattern[LONGEST], copy[LONGEST];
+
+        if (!length || length >= sizeof copy)
+            return 0;
+        memcpy(pattern, word, n);
+        memcpy(copy, text + at, length);
+        pattern[n] = copy[length] = '\0';
+        if (*pattern == '~' ? !is_colour_name(copy, length) : !matches(pattern, copy))
+            return 0;
+        at += length;
+        if (word[n])
+            at += strspn(text + at, " \t");
+    }
+    return at;
+}
+
+bool refused_sentence(struct diag *diag, struct span line)
+{
+    const char *text = line.source->text;
+    bool first = true;
+
+    for (unsigned at = line.start; at < line.end; at++) {
+        bool begins = isalnum((unsigned char)text[at]) && (at == line.start || !isalnum((unsigned char)text[at - 1]));
+
+        for (size_t i = 0; begins && i < sizeof sentences / sizeof *sentences; i++) {
+            bool clause = sentences[i].words[0] == '^';
+            size_t length = clause && !first ? 0 : sentence_length(sentences[i].words + clause, text + at);
+            char copy[LONGEST];
+
+            if (!length || length >= sizeof copy)
+                continue;
+            memcpy(copy, text + at, length);
+            copy[length] = '\0';
+            report(diag, copy, (struct span){line.source, at, at + (unsigned)length}, sentences[i].reason, sentences[i].what);
+            return true;
+        }
+        first = strchr(".:;,", text[at]) || (first && text[at] == ' ');
+    }
+    return false;
+}
+
+void refused_part(struct diag *diag, struct span span)
+{
+    report(diag, "cast off", span, TOPOLOGY, "shaping");
+}

@@ -11,4 +11,10 @@ bool refused_word(struct diag *, const char *word, struct span);
 /* The same for the first such word of a piece of text. */
 bool refused_text(struct diag *, struct span);
 
+/* Stitches bound off before the end. */
+void refused_part(struct diag *, struct span);
+
+/* Whether a sentence asks for what cannot be knitted: `Dec 1 st at each end`, `With B, ..`. */
+bool refused_sentence(struct diag *, struct span line);
+
 #endif

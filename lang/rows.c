@@ -13,7 +13,7 @@
 /* The text that stands for every row of a kind. */
 struct filler {
     enum all_kind all;
-    int first; /* ALL_OTHER: the row it was given for */
+    int first; /* ALL_OTHER, ALL_FOLLOWING: the row it was given for */
     struct row_text *text;
     struct filler *next;
 };
@@ -260,7 +260,7 @@ static struct row_text *filler_for(const struct row_list *list, int label, enum 
     for (const struct filler *f = list->filler; f; f = f->next)
         if ((f->all == ALL_RS && side == SIDE_RS) || (f->all == ALL_WS && side == SIDE_WS) ||
             (f->all == ALL_EVEN && label % 2 == 0) || (f->all == ALL_ODD && label % 2 == 1) ||
-            f->all == ALL_EVERY || (f->all == ALL_OTHER && label >= f->first && (label - f->first) % 2 == 0))
+            f->all == ALL_EVERY || (f->all == ALL_FOLLOWING && label >= f->first) || (f->all == ALL_OTHER && label >= f->first && (label - f->first) % 2 == 0))
             return f->text;
     return NULL;
 }

@@ -38,6 +38,7 @@ int scanner_token(struct scanner *scanner, int kind)
 void scanner_begin(struct scanner *scanner, int statement)
 {
     scanner->statement = statement;
+    scanner->stops = false;
     scanner->begun = true;
     scanner->section = false;
 }
@@ -54,6 +55,12 @@ void scanner_blank_line(struct scanner *scanner, const char *line_ends)
 bool scanner_closes_group(const struct scanner *scanner)
 {
     return scanner->previous == ')' || scanner->previous == ']' || scanner->previous == TOKEN_STAR;
+}
+
+bool scanner_in_row_head(const struct scanner *scanner)
+{
+    return scanner->statement == TOKEN_ROW || scanner->statement == TOKEN_ALL || scanner->statement == TOKEN_SETUP ||
+           scanner->statement == TOKEN_AS_ROW;
 }
 
 bool scanner_begins_item(const struct scanner *scanner)
@@ -353,6 +360,19 @@ void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span
     }
 }
 
+/* "every alternate row", "alt rows"; "every following row" is each of them. */
+void scanner_following(KNIT_STYPE *value, const char *text)
+{
+    static const char *const second[] = {"alt", "alternate", "other"};
+
+    value->all.round = ends_with_round(text);
+    value->all.kind = ALL_FOLLOWING;
+    for (; *text; text += word_length(text) + (word_length(text) == 0))
+        for (size_t i = 0; i < sizeof second / sizeof *second; i++)
+            if (is_word(text, word_length(text), second[i]))
+                value->all.kind = ALL_OTHER;
+}
+
 /* "all RS rows", "every following wrong-side row", "all even rows", "every row". */
 void scanner_all(KNIT_STYPE *value, const char *text)
 {
@@ -556,8 +576,8 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
         return !prose_repeats_rows(text + length);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (is_word(text, length, words[i]))
-            return true;
-    return scanner->comma || (scanner->star && syntax_is_row(text)) || scanner->previous == ':' ||
+            return !prose_fabric_follows(text + length + strspn(text + length, " \t"));
+    return scanner->comma || ((scanner->star || scanner->stops) && syntax_is_row(text)) || scanner->previous == ':' ||
            scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL;
 }
 

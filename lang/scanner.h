@@ -37,6 +37,7 @@ struct scanner {
     bool          bold;             /* `**` was opened before this head */
     bool          begun;            /* a statement came before */
     bool          section;          /* of materials, notes or abbreviations, up to an empty line */
+    bool          stops;            /* a full stop stood between stitches of this row */
     int           titles;           /* lines of prose before the first statement */
     unsigned      prose_end;        /* lines before this were called prose */
     bool          quiet;            /* an unclosed bracket was reported: no more about it */
@@ -72,6 +73,9 @@ void scanner_blank_line(struct scanner *, const char *line_ends);
 /* Whether what was read last is a group that can be repeated. */
 bool scanner_closes_group(const struct scanner *);
 
+/* Whether the statement is a row. */
+bool scanner_in_row_head(const struct scanner *);
+
 /* Whether a comma, a bracket or a star stands before. */
 bool scanner_begins_item(const struct scanner *);
 
@@ -91,6 +95,7 @@ bool scanner_remark(KNIT_STYPE *, const char *text);
 /* `1 edge st`: so many knit stitches. */
 int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);
 void scanner_all(KNIT_STYPE *, const char *text);
+void scanner_following(KNIT_STYPE *, const char *text);
 
 /* `4 k`: a name. */
 int scanner_turned(struct scanner *, KNIT_STYPE *, const char *text);

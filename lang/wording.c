@@ -26,7 +26,9 @@ static const struct phrase {
 
     /* to so many stitches before it */
     {"until|till you get|come to the? =last", "to"},
+    {"until|till you get|come to the? end", "to end"},
     {"until|till you reach the? =last", "to"},
+    {"until|till you reach the? end", "to end"},
     {"until|till you have just|only? =#", "until"},
     {"until|till there are|is just|only? =#", "until"},
     {"until|till just|only =#", "until"},
@@ -38,6 +40,7 @@ static const struct phrase {
 
     /* a repeat */
     {"rep.", "rep"},
+    {"repeat|rep to|until|till desired|required|wanted|needed", "rep as desired"},
     {"=repeat|rep between|within|inside the? parentheses|brackets", ""},
     {"=repeat|rep these|those|the # stitches|sts", ""},
 
@@ -52,6 +55,12 @@ static const struct phrase {
     {"=work|cont|continue =in rib|ribbing for a? further? =# =rows|rounds|rnds|row", "pat for"},
     {"=in rib|ribbing =for a further =#", ""},
     {"=for a further =#", ""},
+
+    {"=work|cont|continue|knit even|straight =for =# =rows|rounds|rnds", ""},
+    {"=# =row|rows|round|rounds|rnd|rnds , and|then? then? =knit|purl|k|p|work =#", "."},
+    {"=# again", ""},
+    {"as given? above|before", ""},
+    {"and then? =cast|bind =off", "."},
 
     /* widths */
     {"multiples of", "multiple of"},
@@ -252,11 +261,14 @@ static char *own_text(struct wording *w)
 /* Puts the phrase that begins here plainly. */
 static void put_phrase(struct wording *w, size_t at, unsigned long long candidates)
 {
-    for (int i = 0; candidates; i++, candidates >>= 1) {
-        const char *words = phrases[i].words;
-        struct found found = {0};
+    struct found found;
 
-        if (!(candidates & 1) || (*words == '@' && !behind_stitch(w->text, at)))
+    for (; candidates; candidates &= candidates - 1) {
+        int i = __builtin_ctzll(candidates);
+        const char *words = phrases[i].words;
+
+        found.n = 0;
+        if (*words == '@' && !behind_stitch(w->text, at))
             continue;
         if (match(words + (*words == '@' ? 2 : 0), w->text, at, &found) && changes(w->text, &found) &&
             put_plain(own_text(w), &found, phrases[i].plain))
@@ -296,7 +308,7 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         }
         if (c == '(' && rib_length(w.text + at))
             put_rib(&w, at, rib_length(w.text + at));
-        if (first[c] && (at == 0 || !isalnum((unsigned char)w.text[at - 1])))
+        if (first[c] && (!isalnum(c) || at == 0 || !isalnum((unsigned char)w.text[at - 1])))
             put_phrase(&w, at, first[c]);
         at++;
         while (isalnum(c) && at < size && isalnum((unsigned char)w.text[at]))

@@ -9,9 +9,10 @@ mkdir "$work/case"
 awk -v folder="$work/case/" '
     function begin(expected) { close(file); file = sprintf("%s%04d", folder, ++n); print expected, "| " about >file }
     /^@@ /    { about = substr($0, 4); file = ""; next }
-    /^@each / { each = substr($0, 7); file = ""; next }
+    /^@each / { each = substr($0, 7); line = "Row 1: k2, %s, k2\n"; file = ""; next }
+    /^@after / { each = substr($0, 8); line = "Cast on 4\nRow 1: knit\n%s\n"; file = ""; next }
     /^@ /     { each = ""; begin(substr($0, 3)); next }
-    each != "" && NF { begin(each); print "Row 1: k2, " $0 ", k2" >file; next }
+    each != "" && NF { begin(each); printf line, $0 >file; next }
     file != "" { print >file }
 ' "$WEFT_SOURCE/tests/golden/grammar.txt"
 
