@@ -30,11 +30,8 @@ same 'tabs' "$work/b.csv"
 
 # wrong NAME TEXT: exit status 3; the messages are standard input.
 wrong() {
-    cat >"$work/wanted.err"
     printf "$2" >"$work/w.csv"
-    exits 3 "$1" sh -c 'cd "$2" && "$1" import w.csv' - "$WEFT" "$work"
-    check 'is shown' diff "$work/wanted.err" "$work/err"
-    empty 'nothing comes out' "$work/out"
+    refused "$1" w.csv
 }
 wrong 'ragged rows' 'k,p\nk\nk,p,k\n' <<'TEXT'
 w.csv:2:2: error: this row has 1 stitch, but the first has 2 [E0801]
@@ -81,17 +78,6 @@ back() {
         "$WEFT" chart --grid "$work/x.knit" | cmp "$work/wanted" -
 }
 
-mkdir "$work/random" "$work/library"
-library_scripts "$work/library"
-for file in "$work"/library/*.knit; do
-    check "$(basename "$file" .knit)" back "$file"
-done
-random_grids "$work/random" 40
-bad=0
-for file in "$work"/random/*.txt; do
-    "$WEFT" import "$file" >"$work/y.knit"
-    back "$work/y.knit" || bad=$((bad + 1))
-done
-check 'random grids come back' test "$bad" = 0
+all_back 40
 
 finish

@@ -36,6 +36,30 @@ random_grids() {
         }'
 }
 
+# all_back COUNT: the test's own `back FILE` holds for every motif of the library and so many random grids.
+all_back() {
+    mkdir "$work/random" "$work/library"
+    library_scripts "$work/library"
+    for file in "$work"/library/*.knit; do
+        check "$(basename "$file" .knit)" back "$file"
+    done
+    random_grids "$work/random" "$1"
+    bad=0
+    for file in "$work"/random/*.txt; do
+        "$WEFT" import "$file" >"$work/y.knit"
+        back "$work/y.knit" || bad=$((bad + 1))
+    done
+    check 'random grids come back' test "$bad" = 0
+}
+
+# refused NAME FILE: a file of $work is not imported; the messages are standard input.
+refused() {
+    cat >"$work/wanted.err"
+    exits 3 "$1" sh -c 'cd "$2" && "$1" import "$3"' - "$WEFT" "$work" "$2"
+    check 'is shown' diff "$work/wanted.err" "$work/err"
+    empty 'nothing comes out' "$work/out"
+}
+
 # A motif that equals none of its images.
 cat >"$work/flag.txt" <<'TEXT'
 # 1 1

@@ -68,11 +68,8 @@ check 'standard input' sh -c '"$1" import - <"$2/flag.txt" >"$2/x.knit" && "$1" 
 
 # wrong NAME TEXT: exit status 3; the messages are standard input.
 wrong() {
-    cat >"$work/wanted.err"
     printf "$2" >"$work/w.txt"
-    exits 3 "$1" sh -c 'cd "$2" && "$1" import w.txt' - "$WEFT" "$work"
-    check 'is shown' diff "$work/wanted.err" "$work/err"
-    empty 'nothing comes out' "$work/out"
+    refused "$1" w.txt
 }
 
 wrong 'a row too short' 'KPK\nKP\n' <<'TEXT'

@@ -84,18 +84,7 @@ back() {
              END { print "transfers", n + 0 }' "$work/wanted" | cmp - "$work/moves" &&
         "$WEFT" import -q "$work/x.k" >"$work/x.knit" && "$WEFT" chart --grid "$work/x.knit" | cmp "$work/wanted" -
 }
-mkdir "$work/random" "$work/library"
-library_scripts "$work/library"
-for file in "$work"/library/*.knit; do
-    check "$(basename "$file" .knit)" back "$file"
-done
-random_grids "$work/random" 30
-bad=0
-for file in "$work"/random/*.txt; do
-    "$WEFT" import "$file" >"$work/y.knit"
-    back "$work/y.knit" || bad=$((bad + 1))
-done
-check 'random grids come back' test "$bad" = 0
+all_back 30
 
 # ---- in ----
 
@@ -151,11 +140,8 @@ check 'by another name and by standard input' sh -c 'cp "$2/flag.k" "$2/flag.dat
 
 # wrong NAME TEXT: lines as above; the messages are standard input.
 wrong() {
-    cat >"$work/wanted.err"
     printf ';!knitout-2\n;;Carriers: 1 2 3\n%s\n' "$2" | tr '|' '\n' >"$work/w.k"
-    exits 3 "$1" sh -c 'cd "$2" && "$1" import w.k' - "$WEFT" "$work"
-    check 'is shown' diff "$work/wanted.err" "$work/err"
-    empty 'nothing comes out' "$work/out"
+    refused "$1" w.k
 }
 wrong 'a short row' "$three|knit + f1 1|knit + f2 1|knit - f2 1|knit - f1 1|knit + f1 1" <<'TEXT'
 w.k:11:1: error: this row works 2 of 3 stitches; short rows and slipped stitches are not plain knit and purl [E0810]
