@@ -311,6 +311,21 @@ static enum status find_command(struct options *options)
     return STATUS_DONE;
 }
 
+/* A repeated run is as it was: what could change it is refused rather than passed over. */
+static enum status check_from(const struct options *options, const struct parse *parse)
+{
+    static const char *const with[] = {"-j", "--from", "--into", "--quiet", "--verbose", "--color", "--diagnostics"};
+    for (int i = 0; i < parse->nseen; i++) {
+        const char *called = parse->seen[i]->name ? parse->seen[i]->name : parse->seen[i]->letter;
+        bool fits = false;
+        for (size_t k = 0; k < sizeof with / sizeof *with; k++)
+            fits = fits || strcmp(with[k], called) == 0;
+        if (!fits)
+            return options_wrong(options, "--from repeats a run as it was: %s does not go with it", called);
+    }
+    return STATUS_DONE;
+}
+
 /* Do operands and options fit the command? */
 static enum status check_command(const struct options *options, const struct parse *parse)
 {
@@ -323,6 +338,8 @@ static enum status check_command(const struct options *options, const struct par
     }
     if (options->help)
         return STATUS_DONE;
+    if (options->from && check_from(options, parse) != STATUS_DONE)
+        return STATUS_USAGE;
     if (options->into && !options->from && command->run != command_sweep)
         return options_wrong(options, "--into goes with --from");
     if (options->noperands < command->least && !options->from)

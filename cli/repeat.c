@@ -114,7 +114,7 @@ static enum status make_into(struct repeat *r)
 {
     const char *parent = getenv("TMPDIR");
     if (r->options->into) {
-        if ((mkdir(r->options->into, 0777) != 0 && errno != EEXIST) || !realpath(r->options->into, r->into))
+        if (!file_make_folder(r->options->into) || !realpath(r->options->into, r->into))
             return refuse(r, "cannot write into '%s': %s", r->options->into, strerror(errno));
         return STATUS_DONE;
     }
@@ -152,23 +152,47 @@ static enum status find_script(struct repeat *r, const char **script)
                   path, r->options->from);
 }
 
+/* Is a file number i of the first run's? */
+static enum status compare_source(const struct repeat *r, int i, const char *path, const char *text, size_t size)
+{
+    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->root, "sources");
+    struct file_log log = {0};
+    char sha256[FILE_HASH];
+    file_hash_text(&log, text, size, sha256);
+    file_log_free(&log);
+    if (strcmp(sha256, text_of(cJSON_GetArrayItem(sources, i), "sha256")) == 0)
+        return STATUS_DONE;
+    return refuse(r, "'%s' is not the file the run was made with: its SHA-256 differs", path);
+}
+
+/* The script itself, before anything is made of it: another one's errors would say nothing. */
+static enum status compare_script(const struct repeat *r, const char *path)
+{
+    struct arena arena = {0};
+    const char *why = "";
+    if (strcmp(path, "-") == 0)     /* can be read once */
+        return STATUS_DONE;
+    const struct source *source = source_read(&arena, path, &why);
+    enum status status = source ? compare_source(r, 0, path, source->text, source->size)
+                                : refuse(r, "'%s' cannot be read: %s", path, why);
+    arena_free(&arena);
+    return status;
+}
+
 /* Is every file the scene is made of the one of the first run? */
 static enum status compare_sources(const struct repeat *r, const char *script)
 {
-    struct script now;
-    struct file_log log = {0};
-    enum status status = script_load(&now, script, &r->first);
+    struct script now = {0};
+    enum status status = compare_script(r, script);
+    if (status == STATUS_DONE)
+        status = script_load(&now, script, &r->first);
     const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->root, "sources");
     if (status == STATUS_DONE && now.scene->nsources != cJSON_GetArraySize(sources))
         status = refuse(r, "its script uses other files now");
     for (int i = 0; status == STATUS_DONE && i < now.scene->nsources; i++) {
         const struct scene_source *s = &now.scene->source[i];
-        char sha256[FILE_HASH];
-        file_hash_text(&log, s->text, s->size, sha256);
-        if (strcmp(sha256, text_of(cJSON_GetArrayItem(sources, i), "sha256")) != 0)
-            status = refuse(r, "'%s' is not the file the run was made with: its SHA-256 differs", s->path);
+        status = compare_source(r, i, s->path, s->text, s->size);
     }
-    file_log_free(&log);
     script_free(&now);
     return status;
 }

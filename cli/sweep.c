@@ -126,7 +126,7 @@ static _Noreturn void become(int log, const char **words)
 /* The point's folder and in it the log; -1: errno. */
 static int open_log(const struct sweep_point *point, struct arena *arena)
 {
-    if (mkdir(point->folder, 0777) != 0 && errno != EEXIST)
+    if (!file_make_folder(point->folder))
         return -1;
     return open(arena_printf(arena, "%s/log.txt", point->folder), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
 }
@@ -349,7 +349,7 @@ static enum status run_sweep(const struct sweep *sweep, const struct scene *scen
             return STATUS_SCRIPT;
     if (o->print)
         return print_commands(sweep);
-    if (mkdir(sweep->folder, 0777) != 0 && errno != EEXIST) {
+    if (!file_make_folder(sweep->folder)) {
         fprintf(stderr, "weft: the folder '%s' cannot be made: %s\n", sweep->folder, strerror(errno));
         return STATUS_FILES;
     }

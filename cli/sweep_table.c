@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "output/json.h"
+#include "output/report.h"
 
 /* Columns after the params, by their place in the report: nothing that a clock or the machine decides. */
 static const char *const fields[] = {
@@ -21,9 +22,6 @@ static const char *const fields[] = {
     "solve.factorisations", "solve.gradient_max", "solve.positive_definite", "solve.seed",
 };
 enum { NFIELDS = sizeof fields / sizeof *fields };
-
-/* Members of the report that differ from run to run. */
-static const char *const passing[] = {"time", "memory", "outputs"};
 
 const char *sweep_table_field(int index)
 {
@@ -103,8 +101,7 @@ static void print_line(const struct sweep *sweep, const struct sweep_point *poin
     for (int i = 0; i < sweep->naxes; i++)
         json_number(params, sweep->axis[i].param, strtod(point->value[i], NULL));
     json_text(line, "status", report ? status_of(report) : state_word(state));
-    for (size_t i = 0; i < sizeof passing / sizeof *passing; i++)
-        cJSON_DeleteItemFromObjectCaseSensitive(report, passing[i]);
+    report_keep_lasting(report);
     if (report)
         cJSON_AddItemReferenceToObject(line, "report", report);
     else

@@ -105,6 +105,17 @@ bool file_is_plain(const char *path)
     return stat(path, &status) != 0 || S_ISREG(status.st_mode);
 }
 
+bool file_make_folder(const char *path)
+{
+    struct stat status;
+    if (mkdir(path, 0777) == 0)
+        return true;
+    if (errno != EEXIST || stat(path, &status) != 0)
+        return false;
+    errno = ENOTDIR;
+    return S_ISDIR(status.st_mode);
+}
+
 /* Adds a component to a place and makes the folder that stood there. */
 static void descend(char *place, const char *component, size_t length)
 {

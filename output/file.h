@@ -55,6 +55,9 @@ void file_abandon(struct file *file);
 /* Could path be written?  If not, false and log->error; nothing stays behind. */
 bool file_check(struct file_log *log, const char *path);
 
+/* Makes a folder unless it is there; false: errno. */
+bool file_make_folder(const char *path);
+
 /* A plain file or a new name: not a device, a pipe or a folder. */
 bool file_is_plain(const char *path);
 

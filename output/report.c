@@ -180,14 +180,18 @@ void report_describe(cJSON *root, struct file_log *log, const struct report *rep
     add_parameters(root, report->scene);
 }
 
-/* Hash of what a repeated run must say again; takes the rest out of root. */
-static void hash_lasting(struct file_log *log, cJSON *root, char sha256[FILE_HASH])
+void report_keep_lasting(cJSON *root)
 {
     static const char *const passing[][2] = {
         {NULL, "time"}, {NULL, "memory"}, {NULL, "outputs"}, {"scene", "file"}, {"solve", "threads"},
     };
     for (size_t i = 0; i < sizeof passing / sizeof passing[0]; i++)
         cJSON_DeleteItemFromObject(passing[i][0] ? cJSON_GetObjectItem(root, passing[i][0]) : root, passing[i][1]);
+}
+
+static void hash_lasting(struct file_log *log, cJSON *root, char sha256[FILE_HASH])
+{
+    report_keep_lasting(root);
     char *text = cJSON_PrintUnformatted(root);
     struct file *hasher = text ? file_hasher(log) : NULL;
     if (hasher) {

@@ -34,12 +34,15 @@ struct report {
 /* Adds "scene" and "parameters", as the report has them, to an object. */
 void report_describe(cJSON *root, struct file_log *log, const struct report *report);
 
+/* Takes out of a report what differs from run to run, or with the machine: "time", "memory", "outputs", the
+ * script's path, the number of threads. */
+void report_keep_lasting(cJSON *root);
+
 /* Writes the report; its "outputs" are what log holds so far.  Every number
  * reads back exactly; a value that is not known (no error estimate, not finite)
  * is null.  Apart from "time" and "memory" the bytes depend only on the binary,
  * the script, the seed and the number of threads; the log's lasting hash is that
- * of the report without these two, "outputs", the script's path and the number
- * of threads.  false: see log->error. */
+ * of what report_keep_lasting leaves.  false: see log->error. */
 bool report_write(struct file_log *log, const char *path, const struct report *report);
 
 #endif

@@ -34,6 +34,8 @@ in_folder() {
 }
 m=$work/a/out/r.manifest.json
 
+echo '{}' >"$work/empty.json"
+
 # ---- what it says ----
 
 exits 0 'a run' in_folder "$work/a" sub/rib.knit -q -D w=1 -j 2
@@ -112,11 +114,20 @@ fi
 echo '# more' >>"$work/d/lib.knit"
 exits 4 'a file that was changed' "$WEFT" run --from "$work/d/r.manifest.json"
 err 'is named' "'lib.knit' is not the file the run was made with"
+echo 'Row 1: k1' >"$work/another.knit"
+exits 4 'another script' "$WEFT" run --from "$m" "$work/another.knit"
+err 'is seen before it is read' "another.knit' is not the file the run was made with"
+check 'and its errors say nothing' test "$(wc -l <"$work/err")" = 1
+for option in -Dw=2 --steps=3 -ox.stl --seeds=2 --resume --dry-run -Werror; do
+    exits 2 "$option" "$WEFT" run --from "$m" "$option"
+    err 'would make it another run' '^weft: --from repeats a run as it was: .* does not go with it$'
+done
+exits 4 'into a file' "$WEFT" run -q --from "$m" --into "$work/empty.json"
+err 'is not possible' "cannot write into '.*empty.json': Not a directory"
 rm "$work/d/rib.knit"
 exits 4 'a script that is gone' "$WEFT" run --from "$work/d/r.manifest.json"
 err 'is asked for' 'its script .sub/rib.knit. is neither where it was'
 exits 0 'and may be named' "$WEFT" run -q --from "$work/d/r.manifest.json" "$work/a/sub/rib.knit"
-echo '{}' >"$work/empty.json"
 exits 4 'no manifest' "$WEFT" run --from "$work/empty.json"
 err 'is said' 'this is no manifest of weft'
 exits 4 'none there' "$WEFT" run --from "$work/nowhere.json"

@@ -65,6 +65,11 @@ rm s.sweep/3-*/point.json
 exits 0 'a point that is not finished' "$WEFT" sweep s.knit -j 2
 check 'is the only one to run' test "$(grep -c converged err)" = 1
 check 'to the same lines' cmp s.sweep/table.jsonl before/table.jsonl
+exits 0 'with other threads, from another folder' sh -c 'mkdir there && cd there && "$1" sweep ../s.knit -q -j 1' - "$WEFT"
+check 'to the same lines, too' cmp there/s.sweep/table.jsonl before/table.jsonl
+: >plain
+exits 4 'into a file' "$WEFT" sweep s.knit --into plain
+err 'is not possible' "^weft: the folder 'plain' cannot be made: Not a directory$"
 exits 0 'another setting' "$WEFT" sweep s.knit -q -j 2 --seed 7
 check 'runs all again' test "$(column solve.seed | sort -u)" = 7
 
