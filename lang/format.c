@@ -157,15 +157,24 @@ static bool skip_row(struct format *f)
     }
 }
 
+static bool stop_follows(const struct format *f, unsigned end)
+{
+    const char *text = f->source->text;
+
+    for (; text[end] && strchr(" \t\f\v.;,", text[end]); end++)
+        if (text[end] == '.')
+            return true;
+    return false;
+}
+
 /* A full stop behind the statement, or before its `(24 sts)`. */
 static bool is_stopped(const struct format *f, const struct stmt *stmt, unsigned end)
 {
     const char *text = f->source->text;
     unsigned before = stmt->kind == STMT_ROW && stmt->row.check ? stmt->row.check_span.start : end;
 
-    for (; text[end] && strchr(" \t\f\v.;,", text[end]); end++)
-        if (text[end] == '.')
-            return true;
+    if (stop_follows(f, end))
+        return true;
     while (before > 0 && strchr(" \t\f\v\r\n;,", text[before - 1]))
         before--;
     return before > 0 && text[before - 1] == '.';
@@ -188,6 +197,25 @@ static void format_verbatim(struct format *f, struct span span, int indent)
             layout_line(f->out, indent + 2 * STEP, false);
         layout_add(f->out, text + at, last - at);
     }
+}
+
+/* Words that are read over: before and behind a cast-on (`using 4 mm needles`), in a row's head (`(decrease row)`). */
+static bool has_skipped_words(const struct format *f, const struct token *first, const struct stmt *stmt)
+{
+    const char *text = f->source->text;
+    bool row = stmt->kind == STMT_ROW;
+
+    if (first->kind == TOKEN_CAST_ON && !strchr("cC", text[first->span.start]))
+        return true;
+    for (const struct token *t = first; t < token(f); t++) {
+        bool remark = t->kind == TOKEN_SIDE && text[t->span.start] == '(' && memchr(text + t->span.start, ',', t->span.end - t->span.start);
+
+        if ((t > first && t->skipped) || remark)
+            return true;
+        if (row && t->kind == ':')
+            return false;
+    }
+    return !row && token(f)[-1].tail.source;
 }
 
 /* What pages write in words of their own keeps them. */
@@ -214,28 +242,30 @@ static void format_row(struct format *f, int indent)
     const struct token *first = token(f);
     const struct stmt *stmt = *f->row++;
     bool comments = skip_row(f);
-    struct span span = {f->source, first->span.start, f->tokens.at[f->at - 1].span.end};
+    const struct token *last = token(f) - 1;
+    bool verbatim = comments || has_own_words(f, first, stmt) || has_skipped_words(f, first, stmt);
+    struct span span = {f->source, first->span.start, last->tail.source && verbatim ? last->tail.end : last->span.end};
 
-    while (span.start > 0 && strchr("*_", f->source->text[span.start - 1]))
+    while (span.start > first->label.end && strchr("*_", f->source->text[span.start - 1]))
         span.start--;
-    if (comments || has_own_words(f, first, stmt))
+    if (verbatim) {
         format_verbatim(f, span, indent);
-    else
+        layout_add(f->out, ".", !comments && stop_follows(f, span.end));
+    } else
         row_words(f->out, &f->style, stmt, first->kind, is_stopped(f, stmt, span.end));
 }
 
 /* Text around a pattern keeps its words. */
-static void format_words(struct format *f)
+static void format_words(struct format *f, struct span span)
 {
-    const char *text = f->source->text, *end = text + token(f)->span.end, *word = text + token(f)->span.start;
+    const char *text = f->source->text, *end = text + span.end, *word = text + span.start;
 
     for (size_t n; word < end; word += n + strspn(word + n, " \t\f\v")) {
         for (n = 0; word + n < end && !strchr(" \t\f\v", word[n]);)
             n++;
-        layout_add(f->out, " ", word > text + token(f)->span.start && n);
+        layout_add(f->out, " ", word > text + span.start && n);
         layout_add(f->out, word, n);
     }
-    f->at++;
 }
 
 /* ---- charts ---- */
@@ -381,12 +411,17 @@ static void format_statement(struct format *f, int indent)
 {
     int kind = token(f)->kind, begin = f->at, n;
 
+    if (token(f)->label.source) {
+        format_words(f, token(f)->label);
+        layout_add(f->out, " ", 1);
+    }
     if (is_knitters(kind)) {
         format_row(f, indent);
         return;
     }
     if (kind == TOKEN_PROSE || kind == TOKEN_GO_ON) {
-        format_words(f);
+        format_words(f, token(f)->span);
+        f->at++;
         return;
     }
     format_tokens(f, indent);

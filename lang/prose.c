@@ -467,6 +467,14 @@ void prose_warn_hidden(struct scanner *scanner, struct span line)
     }
 }
 
+/* `Border: repeat rows 1 and 2` */
+static bool is_labelled_statement(const char *text)
+{
+    size_t colon = strcspn(text, ":\r\n");
+
+    return text[colon] == ':' && prose_statement_follows(text + colon + 1);
+}
+
 /* How many lines from here on read as prose; `end` is behind the last. */
 static int block_length(const char *text, const char **end)
 {
@@ -476,7 +484,7 @@ static int block_length(const char *text, const char **end)
         n++;
         *end = text + line_length(text);
         text = next_line(text);
-    } while (*text && !prose_statement_follows(text) && !prose_is_keyword(text) && prose_reads(text, false));
+    } while (*text && !prose_statement_follows(text) && !is_labelled_statement(text) && !prose_is_keyword(text) && prose_reads(text, false));
     return n;
 }
 

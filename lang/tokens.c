@@ -4,6 +4,7 @@
  * words a row may do without. */
 #include "lang/tokens.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "lang/scanner.h"
@@ -14,7 +15,9 @@ struct reader {
     struct tokens        list;
     int                  room;
     unsigned             end;       /* of the token before */
+    unsigned             line;      /* behind the line end before */
     bool                 first;     /* the next one begins a statement */
+    bool                 opened;    /* the one before is a '{' */
 };
 
 static void add(struct reader *reader, struct token token)
@@ -65,18 +68,63 @@ static int add_gap(struct reader *reader, unsigned end)
     return breaks;
 }
 
+/* The words the scanner read over in a part of a line, without blanks and stops around them. */
+static struct span words_in(const struct reader *reader, unsigned start, unsigned end)
+{
+    const char *text = reader->source->text;
+    bool letters = false;
+
+    while (start < end && strchr(" \t\f\v.;,", text[start]))
+        start++;
+    while (end > start && strchr(" \t\f\v.;,", text[end - 1]))
+        end--;
+    for (unsigned at = start; at < end; at++) {
+        letters |= isalpha((unsigned char)text[at]);
+        if (strchr("\r\n#", text[at]))
+            return (struct span){0};
+    }
+    return letters ? (struct span){reader->source, start, end} : (struct span){0};
+}
+
+static unsigned later(unsigned a, unsigned b)
+{
+    return a > b ? a : b;
+}
+
+/* Where a line of text begins, the marks of its page included: `**`, a bullet. */
+static unsigned with_marks(const struct reader *reader, unsigned start)
+{
+    const char *text = reader->source->text;
+
+    while (start > later(reader->line, reader->end) && !strchr(" \t\f\v\r\n#;{}", text[start - 1]))
+        start--;
+    return start;
+}
+
 /* A line's end is no token here: the one behind it says that it begins something. */
 static void take(void *context, int kind, struct span span)
 {
     struct reader *reader = context;
+    struct token token;
     int breaks;
 
     if (kind == TOKEN_NEWLINE) {
+        if (reader->list.n && !reader->first)
+            reader->list.at[reader->list.n - 1].tail = words_in(reader, reader->end, span.start);
         reader->first = true;
+        reader->line = span.end;
         return;
     }
+    if (kind == TOKEN_PROSE && reader->first)
+        span.start = with_marks(reader, span.start);
     breaks = add_gap(reader, span.start);
-    add(reader, (struct token){.kind = kind, .first = reader->first, .breaks = breaks, .span = span});
+    token = (struct token){.kind = kind, .first = reader->first, .breaks = breaks, .span = span};
+    if (token.first || reader->opened)
+        token.label = words_in(reader, later(reader->line, reader->end), span.start);
+    else
+        token.skipped = words_in(reader, reader->end, span.start).source != NULL;
+    add(reader, token);
+    reader->opened = kind == '{';
     reader->first = false;
     reader->end = span.end;
 }

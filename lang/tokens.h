@@ -14,6 +14,9 @@ struct token {
     bool        first;      /* of a statement or a setting; not for comments */
     int         breaks;     /* line ends since the one before it */
     struct span span;       /* a comment's without blanks at its end */
+    struct span label;      /* words before a statement on its line, `Body:`; no source: none */
+    struct span tail;       /* words behind the last token of a statement; no source: none */
+    bool        skipped;    /* words stand between it and the one before, in one statement */
 };
 
 struct tokens {

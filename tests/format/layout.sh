@@ -13,6 +13,9 @@ for file in "$here"/*.knit; do
     fi
     check "$stem can be formatted" sh -c '"$WEFT" fmt - <"$1" >"$2"' sh "$file" "$work/once"
     check "$stem: layout" diff -u "$here/$stem.expected" "$work/once"
+    if "$WEFT" chart "$file" >"$work/chart" 2>/dev/null; then
+        check "$stem: the same fabric" sh -c '"$WEFT" chart "$1" | cmp - "$2"' sh "$work/once" "$work/chart"
+    fi
     check "$stem: formatted again" sh -c '"$WEFT" fmt - <"$1" | cmp - "$1"' sh "$work/once"
 done
 [ "${1-}" != --update ] || exit 0
