@@ -39,6 +39,9 @@ static void add_machine(cJSON *object)
         json_text(machine, "system", name.sysname);
         json_text(machine, "processor", name.machine);
     }
+#ifdef WEFT_CLONES      /* the kernels are there for several; the processor decides which run */
+    json_text(machine, "kernels", __builtin_cpu_supports("avx512f") ? "avx512" : __builtin_cpu_supports("avx2") ? "avx2" : "baseline");
+#endif
 }
 
 void build_describe(cJSON *object)

@@ -73,14 +73,29 @@ static enum status read_manifest(struct repeat *r)
     return STATUS_DONE;
 }
 
-/* Another program need not give the same bytes: said, not refused. */
+/* Says of each text of an object where this program's is another. */
+static void compare_texts(const struct repeat *r, const cJSON *now, const char *name)
+{
+    const cJSON *before = cJSON_GetObjectItemCaseSensitive(r->root, name), *item;
+    cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(now, name))
+        if (strcmp(text_of(before, item->string), item->valuestring) != 0)
+            fprintf(stderr, "weft: note: made with %s '%s', this is '%s'; bytes may differ\n", item->string,
+                    text_of(before, item->string), item->valuestring);
+}
+
+/* Another program, library or machine need not give the same bytes: said, not refused. */
 static void compare_program(const struct repeat *r)
 {
     char id[FILE_HASH];
+    cJSON *now = cJSON_CreateObject();
     build_id(id);
+    build_describe(now);
     if (strcmp(text_of(r->root, "build_id"), id) != 0)
         fprintf(stderr, "weft: note: made by another build (weft %s, compiler %s) than this one; bytes may differ\n",
                 text_of(r->root, "weft"), text_of(r->root, "compiler"));
+    compare_texts(r, now, "libraries");
+    compare_texts(r, now, "machine");
+    cJSON_Delete(now);
 }
 
 /* The first run's command line; its words stay the manifest's. */

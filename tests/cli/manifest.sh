@@ -104,6 +104,11 @@ out 'is named, too' '^d.txt: was not written$'
 sed 's/"build_id":	"./&x/' "$m" >"$work/a/out/wrong.json"
 exits 0 'another build' "$WEFT" run -q --from "$work/a/out/wrong.json"
 err 'is said' 'made by another build'
+sed 's/"cholmod":	"/&0./; s/"processor":	"/&z/' "$m" >"$work/a/out/wrong.json"
+exits 0 'another library, another processor' "$WEFT" run -q --from "$work/a/out/wrong.json"
+err 'is said' "^weft: note: made with cholmod '0.*', this is '.*'; bytes may differ$"
+err 'of each' "^weft: note: made with processor 'z.*', this is"
+check 'and nothing else' test "$(wc -l <"$work/err")" = 2
 if objcopy --remove-section=.note.gnu.build-id "$WEFT" "$work/without" 2>/dev/null; then
     echo 'swatch K' >"$work/w.knit"
     exits 0 'a program without a build id' "$work/without" run "$work/w.knit" -q -o "$work/w.json"
