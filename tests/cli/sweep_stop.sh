@@ -21,19 +21,18 @@ motif checks { Row 1: *k2, p2; rep from * to end
   Row 4: *p2, k2; rep from * to end }
 swatch c < 0.1 ? K : fill(checks, 12, 12)
 mesh  { per_stitch = 1 }
-solve { steps = 60 }
+solve { steps = 100 }
 sweep c in [0.01, 0.02, 0.5, 0.6]
 output "x.pvd"
 output "x.glb"
 KNIT
 
-# begin WORDS...: starts the sweep in a group of its own, until a long point is under way.
+# begin WORDS...: starts the sweep in a group of its own, until short points are done and a long one is under way.
 begin() {
-    rm -f s.sweep/*/x*
     setsid "$@" "$WEFT" sweep s.knit -j 2 >out 2>err &
     job=$!
     tries=0
-    while [ ! -e s.sweep/3-c=0.5/x_05.vtp ] && [ "$tries" -lt 600 ]; do
+    while [ "$(ls s.sweep/[12]-*/point.json s.sweep/3-*/x_005.vtp 2>/dev/null | wc -l)" -lt 3 ] && [ "$tries" -lt 600 ]; do
         sleep 0.05
         tries=$((tries + 1))
     done
