@@ -31,6 +31,15 @@ static void add_libraries(cJSON *object)
         json_text(libraries, "blas", openblas_get_config());
 }
 
+#ifdef WEFT_CLONES
+/* Kernels are there for several instruction sets; the processor decides which run. */
+static const char *kernels(void)
+{
+    bool widest = __builtin_cpu_supports("avx512f"), wide = __builtin_cpu_supports("avx2");
+    return widest ? "avx512" : wide ? "avx2" : "baseline";
+}
+#endif
+
 static void add_machine(cJSON *object)
 {
     struct utsname name;
@@ -39,8 +48,8 @@ static void add_machine(cJSON *object)
         json_text(machine, "system", name.sysname);
         json_text(machine, "processor", name.machine);
     }
-#ifdef WEFT_CLONES      /* the kernels are there for several; the processor decides which run */
-    json_text(machine, "kernels", __builtin_cpu_supports("avx512f") ? "avx512" : __builtin_cpu_supports("avx2") ? "avx2" : "baseline");
+#ifdef WEFT_CLONES
+    json_text(machine, "kernels", kernels());
 #endif
 }
 

@@ -121,7 +121,8 @@ static cairo_surface_t *render_fold(const struct show *show, int pixels)
     struct render render = {
         .surface = s, .color = {right, wrong}, .view = show->view, .edges = show->picture->edges,
         .shade = show->field.value ? 0.75 : 0.5,
-        .samples = pixels > 1 ? SAMPLES_FINE : SAMPLES, .width = (int)ceil(box->width * pixels), .height = (int)ceil(box->height * pixels),
+        .samples = pixels > 1 ? SAMPLES_FINE : SAMPLES,
+        .width = (int)ceil(box->width * pixels), .height = (int)ceil(box->height * pixels),
         .scale = box->height * pixels / fmax(show->high[1] - show->low[1], show->scene->gauge.height / 100),
         .centre = {(show->low[0] + show->high[0]) / 2, (show->low[1] + show->high[1]) / 2},
     };
