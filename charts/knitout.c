@@ -10,7 +10,7 @@
 #include "lang/names.h"
 
 #define MAGIC ";!knitout-"
-enum { VERSION = 2, WORDS = 16, CARRIERS = 64 };
+enum { VERSION = 2, WORDS = 16, CARRIERS = 64, EXTENSIONS = 16 };
 
 struct reader {
     struct arena *arena;
@@ -20,6 +20,11 @@ struct reader {
     int           ncarriers;
     bool          in[CARRIERS];         /* in action */
     struct span   yarn;                 /* the one that knits; no source: none yet */
+    struct extension {
+        struct span name;               /* where it stands first */
+        int         lines;
+    } extension[EXTENSIONS];            /* (nextensions) `x-..`, for one machine alone */
+    int           nextensions;
 };
 
 /* An operation: its first words, and how many there are. */
@@ -269,11 +274,36 @@ static struct line split_line(struct span span)
     return line;
 }
 
+/* `x-speed-number 100`: what it does is between its writer and a machine. */
+static void skip_extension(struct reader *r, struct span name)
+{
+    int i = 0;
+    while (i < r->nextensions && !same(r->extension[i].name, name))
+        i++;
+    if (i < EXTENSIONS && i == r->nextensions)
+        r->extension[r->nextensions++] = (struct extension){.name = name};
+    if (i < EXTENSIONS)
+        r->extension[i].lines++;
+}
+
+static void warn_extensions(struct reader *r)
+{
+    for (const struct extension *e = r->extension; e < r->extension + r->nextensions; e++) {
+        diag_warning(r->diag, CODE_KNITOUT_EXTENSION, e->name, "the extension %s is not read", shown(r, e->name));
+        if (e->lines > 1)
+            diag_note(r->diag, (struct span){0}, "it stands on %d lines", e->lines);
+    }
+}
+
 static void read_operation(struct reader *r, struct span span)
 {
     struct line line = split_line(span);
-    if (!line.nwords || (length(line.word[0]) > 2 && memcmp(start(line.word[0]), "x-", 2) == 0))
+    if (!line.nwords)
         return;
+    if (length(line.word[0]) > 2 && memcmp(start(line.word[0]), "x-", 2) == 0) {
+        skip_extension(r, line.word[0]);
+        return;
+    }
     const struct opcode *opcode = find_opcode(r, line.word[0]);
     if (!opcode)
         return;
@@ -340,6 +370,7 @@ struct pattern knitout_read(struct arena *arena, struct diag *diag, const struct
             read_operation(&r, line);
         header &= comment;
     }
+    warn_extensions(&r);
     pattern.grid = beds_fabric(r.beds, source, &pattern.remark);
     return pattern;
 }

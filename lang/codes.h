@@ -93,7 +93,8 @@
     X(CODE_ASSUMED_WIDTH,   906, "rows without a cast-on, over some repeats of their multiple")               \
     X(CODE_ASSUMED_REPEAT,  907, "a repeat in a row whose beginning is not marked")                           \
     X(CODE_ASSUMED_TOTAL,   908, "rows worked so often, by which the first time may be meant or not")   \
-    X(CODE_SECOND_PART,     909, "rows that begin again at 1: a second part")
+    X(CODE_SECOND_PART,     909, "rows that begin again at 1: a second part")                              \
+    X(CODE_KNITOUT_EXTENSION, 910, "an extension of knitout that is not read")
 
 enum diag_code {
 #define X(name, number, about) name = number,

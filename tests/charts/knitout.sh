@@ -109,6 +109,13 @@ reads 'knits on empty needles as a cast-on, comments, extensions, a hook, settin
     "x-stitch-number 61|inhook 1 ; in|knit - f2 1|knit + f1 1; on|stitch 1 -2.5|rack 0|$rows|releasehook 1|;;Gauge: 15|pause stop|outhook 1" <<TEXT
 $grid
 TEXT
+reads 'extensions of several kinds, one of them twice' "x-speed-number 9|$two|x-vendor|$rows|x-speed-number 10|out 1" <<TEXT
+$grid
+TEXT
+check 'are named, each once' test "$(grep -c 'warning: the extension .* is not read \[W0910\]' "$work/err")" = 2
+err 'with their code' 'the extension .x-vendor. is not read .*W0910'
+err 'with the lines they stand on' '^note: it stands on 2 lines'
+err 'at the first of them' "y.k:3:1: warning: the extension 'x-speed-number'"
 reads 'needles with gaps and below nothing' \
     'in 3|tuck + f-5 3|tuck + f-3 3|tuck + f7 3|knit - f7 3|knit - f-3 3|knit - f-5 3|xfer f-5 b-5|knit + b-5 3|knit + f-3 3|knit + f7 3' <<'TEXT'
 # 1 1
