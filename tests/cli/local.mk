@@ -3,6 +3,7 @@ cli_tests = \
     tests/cli/bootstrap.sh \
     tests/cli/chart.sh \
     tests/cli/check.sh \
+    tests/cli/diagnostics.sh \
     tests/cli/full.sh \
     tests/cli/interrupt.sh \
     tests/cli/layers.sh \
@@ -27,4 +28,4 @@ EXTRA_PROGRAMS += tests/cli/json
 tests_cli_json_SOURCES = tests/cli/json.c
 tests_cli_json_LDADD = $(CJSON_LIBS)
 CLEANFILES += tests/cli/json$(EXEEXT)
-tests/tools/editors.sh.log tests/cli/check.sh.log tests/cli/manifest.sh.log tests/cli/options.sh.log tests/cli/params.sh.log tests/cli/run.sh.log tests/cli/seeds.sh.log tests/cli/sweep.sh.log: tests/cli/json$(EXEEXT)
+tests/tools/editors.sh.log tests/cli/check.sh.log tests/cli/diagnostics.sh.log tests/cli/manifest.sh.log tests/cli/options.sh.log tests/cli/params.sh.log tests/cli/run.sh.log tests/cli/seeds.sh.log tests/cli/sweep.sh.log: tests/cli/json$(EXEEXT)
