@@ -175,6 +175,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token TIMES            "'times'"
 %token <number> TWICE   "'twice'"
 %token CROSS            "'x' (times)"
+%token <number> TIMES_OF "so many times"
 %token AS_ROW           "'as row'"
 %token <number> AS_NTH_ROW "'as 3rd row'"
 %token <opposite> AS_BELOW "'knit the knits and purl the purls'"
@@ -469,6 +470,8 @@ item:
 | NAME count TIMES                      { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, $count, span_join(@2, @3)}); }
 | '(' items ')' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }
 | '[' items ']' until                   { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, $until); }
+| TIMES_OF '(' items ')'                { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, (struct until){UNTIL_TIMES, expr_number(parse, @1, $1.value, 0), @1}); }
+| TIMES_OF '[' items ']'                { $$ = item_group(parse, ITEM_GROUP, @$, $items.first, (struct until){UNTIL_TIMES, expr_number(parse, @1, $1.value, 0), @1}); }
 | '(' items ')' REP until               { $$ = item_group(parse, ITEM_STARS, @$, $items.first, $until); }
 | '[' items ']' REP until               { $$ = item_group(parse, ITEM_STARS, @$, $items.first, $until); }
 ;
@@ -548,6 +551,8 @@ again_once:
 work_statement:
   PLAIN_ROWS count more ROW_WORD        { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
 | PLAIN_ROWS count more ROW_WORD SIDE   { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); $$->row.starting = $SIDE; }
+| PLAIN_ROWS count more ROW_WORD IN_FABRIC FABRIC
+                                        { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN)); }
 | PLAIN_EVERY FOR_ROWS count ROW_WORD   { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
 | PLAIN_EVERY UNTIL_ROWS count ROW_WORD { $$ = stmt_row(parse, @$, syntax_total(syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD))); }
 | PLAIN_EVERY UNTIL_LENGTH              { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, syntax_two_rows(parse, @$), SIDE_OPEN)); }

@@ -28,7 +28,7 @@ int scanner_token(struct scanner *scanner, int kind)
 {
     scanner->comma = false;
     scanner->previous = kind;
-    if (kind == TOKEN_NEWLINE || kind == TOKEN_END || kind == '}') {
+    if (kind == TOKEN_NEWLINE || kind == TOKEN_END || (kind == '}' && !scanner->hole)) {
         scanner->star_left = scanner->star;
         scanner->star = scanner->complained = false;
     }
@@ -67,7 +67,7 @@ bool scanner_begins_item(const struct scanner *scanner)
 {
     int previous = scanner->previous;
 
-    return scanner->comma || previous == ':' || previous == '(' || previous == '[' || previous == TOKEN_STAR;
+    return scanner->comma || previous == ':' || previous == '(' || previous == '[' || (previous == TOKEN_STAR && scanner->star);
 }
 
 static size_t word_length(const char *text)
@@ -489,6 +489,7 @@ int scanner_close(struct scanner *scanner, char c)
     if (!scanner->nopen || (c != '}' && scanner->open[scanner->nopen - 1].kind > BRACKET_SQUARE))
         return -1;
     scanner->nopen--;
+    scanner->hole = scanner->open[scanner->nopen].kind == BRACKET_HOLE;
     return is_in_line(scanner->open[scanner->nopen].kind) ? scanner->open[scanner->nopen].state : 0;
 }
 

@@ -37,6 +37,7 @@ struct scanner {
     bool          bold;             /* `**` was opened before this head */
     bool          begun;            /* a statement came before */
     bool          section;          /* of materials, notes or abbreviations, up to an empty line */
+    bool          hole;             /* the bracket closed last was a number's */
     bool          stops;            /* a full stop stood between stitches of this row */
     int           titles;           /* lines of prose before the first statement */
     unsigned      prose_end;        /* lines before this were called prose */
@@ -76,7 +77,7 @@ bool scanner_closes_group(const struct scanner *);
 /* Whether the statement is a row. */
 bool scanner_in_row_head(const struct scanner *);
 
-/* Whether a comma, a bracket or a star stands before. */
+/* Whether a comma, a bracket or a star that opens stands before. */
 bool scanner_begins_item(const struct scanner *);
 
 /* `rep` in a row without `from *`: what is repeated is the group before, or the row so far. */

@@ -10,7 +10,8 @@
 
 /* Words are separated by one blank, for any blanks or a line end of the text. `a|b`: one of
  * them; `?` behind: or nothing; `#`: a number, `~` the sign #; `=` before: stays as it is, the others make
- * room for the plain wording. `@` begins a phrase that stands behind a stitch: knit, p. */
+ * room for the plain wording. `@` begins a phrase that stands behind a stitch: knit, p; `<` one
+ * that stands on one line. */
 static const struct phrase {
     const char *words, *plain;
 } phrases[] = {
@@ -39,9 +40,10 @@ static const struct phrase {
     {"@ the first|last|next st|stitch", "1"},
 
     /* a repeat */
-    {"rep.", "rep"},
+    {"rep.|rpt", "rep"},
+    {"( =# =times )", ""},
     {"repeat|rep to|until|till desired|required|wanted|needed", "rep as desired"},
-    {"=repeat|rep between|within|inside the? parentheses|brackets", ""},
+    {"=repeat|rep between|within|inside? the? parentheses|brackets", ""},
     {"=repeat|rep these|those|the # stitches|sts", ""},
 
     /* whole rows */
@@ -51,6 +53,11 @@ static const struct phrase {
     {"@ a =row|round|rnd", "1"},
     {"=work a =row|round|rnd", "1"},
     {"=row|rows|round|rounds|rnd|rnds number|no.|no|nr.|nr|~ =#", ""},
+    {"=# above", ""},
+    {"step =# =:|.|)", ""},
+    {"< pattern|patt|pat =row|rows|round|rounds|rnd|rnds =#", ""},
+    {"=repeat|rep rows|rounds|rnds =until|till|to|as", "them"},
+    {"=repeat|rep the? above =row|rows|round|rounds|rnd|rnds", "these"},
     {"like =row|rows|round|rnd|rounds|rnds", "as"},
     {"=work|cont|continue =in rib|ribbing for a? further? =# =rows|rounds|rnds|row", "pat for"},
     {"=in rib|ribbing =for a further =#", ""},
@@ -171,14 +178,20 @@ static bool behind_stitch(const char *text, size_t at)
     return end > at && one_of("knit|k|purl|p", 13, text + at) == end - at;
 }
 
+static bool breaks(const char *text, const struct found *found)
+{
+    size_t start = found->start[0], length = found->end[found->n - 1] - start;
+
+    return memchr(text + start, '\n', length) || memchr(text + start, '\r', length);
+}
+
 /* Whether a word goes, or a line end between them. */
 static bool changes(const char *text, const struct found *found)
 {
     for (int i = 0; i < found->n; i++)
         if (!found->stays[i])
             return true;
-    return memchr(text + found->start[0], '\n', found->end[found->n - 1] - found->start[0]) ||
-           memchr(text + found->start[0], '\r', found->end[found->n - 1] - found->start[0]);
+    return breaks(text, found);
 }
 
 /* Makes room, and puts the plain wording where the first word was that goes. */
@@ -226,7 +239,7 @@ static void index_phrases(unsigned long long first[256])
 {
     memset(first, 0, 256 * sizeof *first);
     for (int i = 0; i < PHRASES; i++) {
-        const char *words = phrases[i].words + (*phrases[i].words == '@' ? 2 : 0);
+        const char *words = phrases[i].words + (strchr("@<", *phrases[i].words) ? 2 : 0);
 
         for (bool more = true; more;) {
             size_t length = strcspn(words, " ");
@@ -265,12 +278,13 @@ static void put_phrase(struct wording *w, size_t at, unsigned long long candidat
 
     for (; candidates; candidates &= candidates - 1) {
         int i = __builtin_ctzll(candidates);
-        const char *words = phrases[i].words;
+        char mark = *phrases[i].words;
+        const char *words = phrases[i].words + (mark == '@' || mark == '<' ? 2 : 0);
 
         found.n = 0;
-        if (*words == '@' && !behind_stitch(w->text, at))
+        if (mark == '@' && !behind_stitch(w->text, at))
             continue;
-        if (match(words + (*words == '@' ? 2 : 0), w->text, at, &found) && changes(w->text, &found) &&
+        if (match(words, w->text, at, &found) && !(mark == '<' && breaks(w->text, &found)) && changes(w->text, &found) &&
             put_plain(own_text(w), &found, phrases[i].plain))
             return;
     }
