@@ -274,11 +274,16 @@ static enum status parse_words(struct options *options, struct parse *parse)
 static enum status unknown_command(const struct options *options, const char *word)
 {
     struct nearest nearest = nearest_to(word);
+    struct arena arena = {0};
+    const char *file = source_nearest(&arena, word);
     for (const struct command *c = command_table; c->name; c++)
         nearest_offer(&nearest, c->name);
-    if (nearest.best)
-        return options_wrong(options, "there is no command or file '%s'; did you mean %s?", word, nearest.best);
-    return options_wrong(options, "there is no command or file '%s'", word);
+    bool is_file = file && !(nearest.best && nearest.distance <= 1);
+    enum status status = is_file || nearest.best ? options_wrong(options, "there is no command or file '%s'; did you mean %s?", word,
+                                                                 is_file ? file : nearest.best)
+                                                 : options_wrong(options, "there is no command or file '%s'", word);
+    arena_free(&arena);
+    return status;
 }
 
 /* Does the word look like a command rather than a file that is missing? */

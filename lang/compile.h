@@ -55,6 +55,9 @@ struct compile_options {
  * this is an input failure, not an error of the script. */
 const struct source *source_read(struct arena *, const char *path, const char **why);
 
+/* The path of a file that is there and spelt nearly like this one, which is not; or NULL. */
+const char *source_nearest(struct arena *, const char *path);
+
 /* A text that is already in memory. */
 const struct source *source_from_text(struct arena *, const char *name, const char *text, size_t size);
 

@@ -142,11 +142,30 @@ static const struct source *find_file(struct eval *eval, const struct module *mo
     return NULL;
 }
 
+/* A file of nearly this name in one of the folders, named from there; or NULL. */
+static const char *nearest_file(struct eval *eval, const struct module *module, const char *name)
+{
+    const char *found = NULL;
+
+    for (int i = -1; i < eval->nincludes && !found; i++) {
+        const char *folder = i < 0 ? module->folder : eval->include[i], *before;
+
+        if (!folder || (*name == '/' && i >= 0))
+            continue;
+        before = *name == '/' || !*folder ? "" : arena_printf(eval->arena, "%s%s", folder, folder[strlen(folder) - 1] == '/' ? "" : "/");
+        found = source_nearest(eval->arena, arena_printf(eval->arena, "%s%s", before, name));
+        if (found && strncmp(found, before, strlen(before)) == 0)
+            found += strlen(before);
+    }
+    return found;
+}
+
 static void not_found(struct eval *eval, const struct stmt *stmt, const struct module *module)
 {
     diag_error(eval->diag, CODE_USE, stmt->use.file_span, "there is no file '%s'", stmt->use.file);
     if (!module->folder)
         return;
+    diag_did_you_mean(eval->diag, nearest_file(eval, module, stmt->use.file));
     diag_note(eval->diag, (struct span){0}, "looked in %s%s",
               *module->folder ? module->folder : "this folder",
               eval->nincludes ? ", and in the folders of -I and WEFT_PATH" : "");

@@ -24,6 +24,36 @@ err 'the bad one its error' 'name.knit:1:'
 
 exits 4 'a file that is not there' "$WEFT" check "$work/none.knit"
 err 'is named' "cannot read '.*none.knit': No such file"
+# Misspelt paths: the nearest file that is there, folder by folder.
+mkdir "$work/examples"
+printf 'swatch tile(K, 2, 2)\n' >"$work/examples/miura.knit"
+cp "$work/examples/miura.knit" "$work/rib.knit"
+misspelt() {
+    exits 4 "$1" sh -c 'cd "$1" && "$2" "$3" "$4"' - "$work" "$WEFT" "$2" "$1"
+    err 'is known' "^weft: cannot read '$1': No such file or directory; did you mean '$3'?\$"
+}
+misspelt rib.knitt check rib.knit
+misspelt ./rbi.knit fmt ./rib.knit
+misspelt rib check rib.knit
+misspelt exmples/miura.knit run examples/miura.knit
+misspelt exmples/mirua.knit import examples/miura.knit
+exits 4 'a name like none of them' "$WEFT" check "$work/other.csv"
+err 'is not guessed' "other.csv': No such file or directory$"
+exits 4 'a folder that is not there' "$WEFT" check "$work/nothing/rib.knit"
+err 'is not guessed, either' "rib.knit': No such file or directory$"
+exits 4 'an empty name' "$WEFT" check ''
+exits 2 'a file without its extension for a command' sh -c 'cd "$1" && "$2" rib' - "$work" "$WEFT"
+err 'is known' "no command or file 'rib'; did you mean rib.knit?"
+printf 'use "exmples/miura.knit" as m\nuse "rib.csv" as r\nuse "unlike.csv" as u\nswatch K\n' >"$work/used.knit"
+exits 3 'misspelt files that a script uses' "$WEFT" check "$work/used.knit"
+err 'a folder' "did you mean 'examples/miura.knit'?"
+check 'one alone' test "$(grep -c 'did you mean' "$work/err")" = 1
+printf 'K K\n' >"$work/rib.cvs"
+exits 3 'a chart' "$WEFT" check "$work/used.knit"
+err 'too' "did you mean 'rib.cvs'?"
+exits 3 'in a folder of -I' sh -c 'cd "$1/examples" && printf "use \"rbi.knit\" as r\nswatch K\n" | "$2" check - -I ..' - "$work" "$WEFT"
+err 'named from there' "did you mean 'rib.knit'?"
+
 exits 4 'a folder' "$WEFT" check "$work/."
 err 'is not a script' "cannot read '.*': Is a directory"
 
