@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The items of a row in, what is worked with all its numbers known out. */
+#include "lang/lower.h"
+
+#include <stdlib.h>
+
+#include "lang/limits.h"
+#include "lang/vocabulary.h"
+
+/* Worked once, of so many runs of stitches. */
+static struct work *work_new(struct eval *eval, struct where where, const struct item *item, int nruns)
+{
+    struct work *work = arena_new(eval->arena, struct work);
+
+    work->span = item_span(where.module->source, item);
+    work->n = 1;
+    if (nruns)
+        work->run = arena_array(eval->arena, struct run, (size_t)nruns);
+    return work;
+}
+
+/* False past the limits. */
+static bool count_item(struct eval *eval, struct where where, const struct item *item)
+{
+    struct span span = item_span(where.module->source, item);
+
+    if (++eval->items == LIMIT_ITEMS + 1)
+        diag_error(eval->diag, CODE_LIMIT_ROWS, span, "the rows have more than %d stitches and groups to work", LIMIT_ITEMS);
+    return eval_step(eval, span) && eval->items <= LIMIT_ITEMS;
+}
+
+static bool lower_until(struct eval *eval, struct where where, const struct item *item, struct work *work)
+{
+    const struct until *until = &item->more->until;
+    long long n = 1;
+
+    if (until->n && !eval_whole(eval, where, until->n, 0, LIMIT_STITCHES, "this number", &n))
+        return false;
+    work->n = n;
+    switch (until->kind) {
+    case UNTIL_ONCE:
+        work->until = item->kind == ITEM_REP_FROM || item->kind == ITEM_STARS ? WORK_FIT : WORK_TIMES;
+        return true;
+    case UNTIL_TIMES:
+        work->until = item->kind == ITEM_REP_FROM ? WORK_EITHER : WORK_TIMES;
+        return true;
+    case UNTIL_MORE:
+        work->n = n + 1;
+        if (item->kind == ITEM_REP_FROM || item->kind == ITEM_STARS)
+            return true;
+        diag_error(eval->diag, CODE_ROW_REPEAT, until->span,
+                   "a group in brackets is worked so many times in all, not more");
+        return false;
+    case UNTIL_LAST:
+        work->until = WORK_LAST;
+        return true;
+    case UNTIL_END:
+        work->until = WORK_LAST;
+        work->n = 0;
+        return true;
+    default:
+        work->until = WORK_FIT;
+        return true;
+    }
+}
+
+/* Adds `k2` or `k 2` to the runs, unless it is none: `k0`. *bare: no number is said. */
+static bool lower_stitch(struct eval *eval, struct where where, const struct item *item, struct work *work, bool *bare)
+{
+    struct run *run = work->run + work->nruns;
+    struct stitch_words words = item_words(where.module->source, item);
+    bool apart = words.count || words.figures.source;
+    long long in_name, count = 1;
+
+    if (!vocabulary_stitch(eval, where.module, words.name, words.length, item->start, &run->stitch, &in_name))
+        return false;
+    if (apart && in_name >= 0) {
+        diag_error(eval->diag, CODE_ROW_REPEAT, item_span(where.module->source, item), "'%.*s' has a number already",
+                   (int)words.length, words.name);
+        return false;
+    }
+    if (words.count && !eval_whole(eval, where, words.count, 0, LIMIT_STITCHES, "the number of stitches", &count))
+        return false;
+    if (words.figures.source)
+        count = strtoll(words.figures.source->text + words.figures.start, NULL, 10);
+    *bare = in_name < 0 && !apart;
+    run->length = (unsigned)(in_name >= 0 ? in_name : count);
+    work->length += run->length;
+    work->nruns += run->length > 0;
+    return true;
+}
+
+/* Plain stitches that follow each other are one piece of work. Moves to the last
+ * of them. A bare `k` that is the whole row fills it. */
+static bool lower_plain(struct eval *eval, struct where where, const struct item **item, bool alone, struct work **to)
+{
+    const struct item *first = *item, *last = first;
+    struct work *work;
+    bool good = true, bare = false;
+    int n = 1;
+
+    for (; last->next && item_is_plain(last->next); last = last->next)
+        n++;
+    work = work_new(eval, where, first, n);
+    work->span = span_join(work->span, item_span(where.module->source, last));
+    *item = last;
+    for (const struct item *stitch = first; stitch != last->next; stitch = stitch->next) {
+        if (!count_item(eval, where, stitch))
+            return false;
+        good &= lower_stitch(eval, where, stitch, work, &bare);
+    }
+    if (alone && bare)
+        work->until = WORK_FIT;
+    *to = work->nruns ? work : NULL;
+    return good;
+}
+
+/* False after an error; *to is left NULL for nothing at all: `k0`, `(p0) twice`. */
+static bool lower_item(struct eval *eval, struct where where, const struct item *item, bool alone, struct work **to)
+{
+    struct work *work = work_new(eval, where, item, item->kind == ITEM_STITCH);
+    bool bare;
+
+    if (!count_item(eval, where, item) || !lower_until(eval, where, item, work))
+        return false;
+    if (item->kind == ITEM_STITCH) {
+        if (!lower_stitch(eval, where, item, work, &bare))
+            return false;
+        if (alone && bare && item->more->until.kind == UNTIL_ONCE)
+            work->until = WORK_FIT;
+        *to = work->nruns ? work : NULL;
+        return true;
+    }
+    if (!lower_items(eval, where, item->more->child, &work->child))
+        return false;
+    *to = work->child ? work : NULL;
+    if (*to || work->until == WORK_TIMES)
+        return true;
+    diag_error(eval->diag, CODE_ROW_REPEAT, work->span, "there is nothing to work here");
+    return false;
+}
+
+/* The runs of a list of work one by one; NULL at a group and at the end. */
+struct run_at {
+    const struct work *work;
+    int i;
+};
+
+static const struct run *next_run(struct run_at *at)
+{
+    while (at->work && at->work->run && at->i == at->work->nruns)
+        *at = (struct run_at){at->work->next, 0};
+    return at->work && at->work->run ? &at->work->run[at->i++] : NULL;
+}
+
+/* "ending last rep k2": what stands there is how the repeat begins. */
+static bool check_last_repeat(struct eval *eval, const struct work *work, struct span until)
+{
+    struct run_at first = {work->child, 0}, end = {work->next, 0};
+    const struct run *a = next_run(&first), *b = next_run(&end);
+    bool cut;
+
+    for (; a && b && a->stitch == b->stitch && a->length == b->length; b = next_run(&end))
+        a = next_run(&first);
+    cut = a && b && a->stitch == b->stitch && b->length < a->length && !next_run(&end);
+    if (!end.work && (!b || cut))
+        return true;
+    diag_error(eval->diag, CODE_ROW_REPEAT, until, "how the last repeat ends can be read in two ways");
+    diag_hint(eval->diag, "write what follows the whole repeats: `rep from * to last 2 sts, k2`");
+    return false;
+}
+
+bool lower_items(struct eval *eval, struct where where, const struct item *item, struct work **first)
+{
+    struct work *repeat = NULL;
+    struct span until = {0};
+    bool alone = item && !item->next, good = true;
+
+    *first = NULL;
+    for (; item; item = item->next) {
+        good &= item_is_plain(item) ? lower_plain(eval, where, &item, alone, first) : lower_item(eval, where, item, alone, first);
+        if (*first && !item_is_plain(item) && item->more->until.kind == UNTIL_LAST_REPEAT) {
+            repeat = *first;
+            until = item->more->until.span;
+        }
+        if (*first)
+            first = &(*first)->next;
+    }
+    return good && (!repeat || check_last_repeat(eval, repeat, until));
+}
