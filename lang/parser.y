@@ -543,6 +543,8 @@ again_once:
 | ',' count MORE TIMES                  { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
 | UNTIL_LENGTH                          { $$ = (struct again){.kind = AGAIN_PATTERN}; }
+| CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
+| FOR_ROWS count ROW_WORD               { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count}; }
 | FOR_TOTAL count TIMES                 { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }
 | count TIMES TOTAL                     { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }
 | TWICE TOTAL                           { $$ = (struct again){.kind = AGAIN_TOTAL, .n = expr_number(parse, @1, $1.value, 0)}; }

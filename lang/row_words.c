@@ -142,7 +142,7 @@ static void put_stitch(struct writer *w, const struct item_more *item, bool alon
 
 static void put_group(struct writer *w, const struct item *item)
 {
-    char first = source_of(w)->text[item->start], open = first == '(' || first == '[' ? first : '*';
+    char first = source_of(w)->text[item->start], open = first == '(' || first == '[' ? first : item->kind == ITEM_GROUP ? '[' : '*';
     bool total = item->kind == ITEM_STARS && item->more->until.kind == UNTIL_TIMES;
 
     PUT("%c", open);
@@ -198,8 +198,8 @@ static void put_all(struct writer *w, const struct row_numbers *part, const char
     static const char *const which[] = {[ALL_RS] = "RS", [ALL_WS] = "WS", [ALL_EVEN] = "even", [ALL_ODD] = "odd"};
     const char *noun = says_round(part->span) ? "rnd" : "row";
 
-    if (part->all == ALL_OTHER)
-        PUT("every other %s", noun);
+    if (part->all == ALL_OTHER || part->all == ALL_FOLLOWING)
+        PUT("every %s %s", part->all == ALL_OTHER ? "other" : "following", noun);
     else
         PUT("%s %s %ss", every, which[part->all], noun);
 }

@@ -37,7 +37,7 @@ static const struct phrase {
 
     /* so many stitches */
     {"@ the? next|first|last|following =# =sts|stitches|st|stitch", ""},
-    {"@ the first|last|next st|stitch", "1"},
+    {"@ the? first|last|next st|stitch", "1"},
 
     /* a repeat */
     {"rep.|rpt", "rep"},
@@ -45,6 +45,10 @@ static const struct phrase {
     {"repeat|rep to|until|till desired|required|wanted|needed", "rep as desired"},
     {"=repeat|rep between|within|inside? the? parentheses|brackets", ""},
     {"=repeat|rep these|those|the # stitches|sts", ""},
+
+    {"alternately|alternating =to|across|around", ""},
+    {"and continue =to|across|around", "rep"},
+    {"=# =rows|rounds|rnds total|altogether", ""},
 
     /* whole rows */
     {"work all? the? sts|stitches as they appear|come|lie", "k k st p p st"},

@@ -1,51 +1,64 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The table of the language, grammar.txt: each case to its grid or its message.
+# The table of the language, grammar.txt: each case to its grid or its message, and
+# to the same grid in the canonical layout.
 . "${WEFT_SOURCE:-.}/tests/tap.sh"
 . "$WEFT_SOURCE/tests/golden/dump.sh"
 
-# A file for each case: what is expected in its first line, then the script.
+# A script for each case, and what is expected of all.
 mkdir "$work/case"
-awk -v folder="$work/case/" '
-    function begin(expected) { close(file); file = sprintf("%s%04d", folder, ++n); print expected, "| " about >file }
-    /^@@ /    { about = substr($0, 4); file = ""; next }
-    /^@each / { each = substr($0, 7); line = "Row 1: k2, %s, k2\n"; file = ""; next }
-    /^@after / { each = substr($0, 8); line = "Cast on 4\nRow 1: knit\n%s\n"; file = ""; next }
-    /^@ /     { each = ""; begin(substr($0, 3)); next }
+awk -v folder="$work/case/" -v wanted="$work/wanted" '
+    function begin(expected) {
+        close(file)
+        file = sprintf("%s%04d.knit", folder, ++n)
+        print about "|" expected >wanted
+    }
+    /^@@ /     { about = substr($0, 4); file = ""; next }
+    /^@each /  { each = substr($0, 7); line = "Row 1: k2, %s, k2\n"; next }
+    /^@after / { each = substr($0, 8); line = "Cast on 4\nRow 1: knit\n%s\n"; next }
+    /^@ /      { each = ""; begin(substr($0, 3)); next }
     each != "" && NF { begin(each); printf line, $0 >file; next }
-    file != "" { print >file }
+    each == "" && file != "" { print >file }
 ' "$WEFT_SOURCE/tests/golden/grammar.txt"
 
-# Codes of errors or warnings among the messages, each once.
-codes() {
-    sed -n "s/.*$1: .*\[\([EW][0-9]*\)\]\$/\1/p" "$work/out" | sort -u | tr '\n' ' '
-}
+# What each comes to.
+for file in "$work"/case/*.knit; do
+    echo '@case'
+    "$dump" "$file"
+    "$WEFT" fmt - <"$file" >"$work/y.knit" || continue
+    echo '@formatted'
+    "$dump" "$work/y.knit"
+done >"$work/out" 2>&1 </dev/null
 
-for file in "$work"/case/*; do
-    read -r expected <"$file"
-    about=${expected#*| }
-    expected=${expected%% | *}
-    sed 1d "$file" >"$work/x.knit"
-    "$dump" "$work/x.knit" >"$work/out" 2>&1 </dev/null || :
-    case $expected in
-    E[0-9]*)
-        text=${expected#E????}
-        got="$(codes error)"
-        grep -qF -e "${text# }" "$work/out" || got="$got(another text)"
-        wanted="${expected%"$text"} "
-        ;;
-    *)
-        got="$(grep -E '^[A-Za-z]+$' "$work/out" | tr '\n' ' ')$(codes error)$(codes warning)"
-        wanted="$expected "
-        ;;
-    esac
-    name="$about: $(sed 1d "$file" | tr '\n' '|')"
-    if [ "$got" = "$wanted" ]; then
-        pass "$name"
-    else
-        fail "$name"
-        echo "# wanted $expected"
-        sed 's/^/# got /' "$work/out"
-    fi
-done
-finish
+# Rows, then the codes of errors, then those of warnings, each once.
+awk -v wanted="$work/wanted" '
+    function finish(    n, expected, about, code, text, good) {
+        if (!ncases++)
+            return
+        getline expected <wanted
+        about = substr(expected, 1, index(expected, "|") - 1)
+        expected = substr(expected, length(about) + 2)
+        if (expected ~ /^E[0-9][0-9][0-9][0-9]/) {
+            code = substr(expected, 1, 5)
+            text = substr(expected, 7)
+            good = errors == code " " && index(all, text)
+        } else {
+            good = rows errors warnings == expected " " && (!formatted || rows == again)
+        }
+        print (good ? "ok " : "not ok ") ncases - 1 " - " about ": " expected
+        if (!good)
+            print all
+        rows = again = errors = warnings = all = ""
+        formatted = 0
+    }
+    /^@case$/      { finish(); next }
+    /^@formatted$/ { formatted = 1 }
+    { all = all "# " $0 "\n" }
+    /^[A-Za-z]+$/  { if (formatted) again = again $0 " "; else rows = rows $0 " " }
+    !formatted && /(error|warning): .*\[[EW][0-9]+\]$/ {
+        code = substr($0, length($0) - 5, 5) " "
+        if ($0 ~ /error: /) { if (!index(errors, code)) errors = errors code }
+        else if (!index(warnings, code)) warnings = warnings code
+    }
+    END { finish(); print "1.." ncases - 1 }
+' "$work/out"
