@@ -83,15 +83,13 @@ static bool slide(struct problem *p, const double *x, const double *direction, d
         for (int c = 0; c < 3; c++)
             furthest = fmax(furthest, fabs(direction[d->node[i] + c]));
     for (double length = 0.02 * d->sheet->thickness / furthest; length * furthest < 1e3 * d->sheet->thickness; length *= 2) {
-        for (int i = 0; i < d->n; i++)
-            y[i] = x[i] + sign * length * direction[i];
+        problem_move(p, x, sign * length, direction, y);
         double there = problem_evaluate(p, y);
         if (!(there < best))
             break;
         best = there, taken = length;
     }
-    for (int i = 0; i < d->n; i++)
-        y[i] = x[i] + sign * taken * direction[i];
+    problem_move(p, x, sign * taken, direction, y);
     return taken > 0;
 }
 

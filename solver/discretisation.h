@@ -61,6 +61,12 @@ struct discretisation_ops {
     void (*tangent)(const struct discretisation *d, const double *x, const double *dz, double *dx);
     void (*cotangent)(const struct discretisation *d, const double *x, const double *gx, double *gz);
 
+    /* y (n): where the increment u = length dx (n) leads from x; y = x + u + O(u^2), but a piece that turns does
+     * not stretch, and a free sheet as a whole stays where it is.  And the pull of a gradient g (n) at y: gu (n) := (dy/du)^T g.  Both NULL: y = x + u. */
+    void (*retract)(const struct discretisation *d, const double *x, double length, const double *dx, double *y);
+    void (*retract_adjoint)(const struct discretisation *d, const double *x, double length, const double *dx,
+                            const double *g, double *gu);
+
     /* The state of the next finer level (made with fine_of this one) that is, or comes closest to, x. */
     void (*prolong)(const struct discretisation *coarse, const double *x,
                     const struct discretisation *fine, double *x_fine);

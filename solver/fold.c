@@ -19,6 +19,7 @@
 #include "solver/noise.h"
 #include "solver/shape.h"
 #include "solver/sheet.h"
+#include "solver/stripes.h"
 
 static const double GROWING = 1e-4;     /* tolerance of a growth step, young * thickness^2 */
 static const double COARSE = 1e-5;      /* tolerance of a level that is refined further */
@@ -263,13 +264,18 @@ static bool replay(struct fold *fold)
     return true;
 }
 
-/* The flat sheet, or all that was grown before. */
+/* The flat sheet; then, where noise may break its symmetry, bent to the stripes it has; or all that was grown before. */
 static bool begin_growth(struct fold *fold)
 {
     if (fold->options->nmarks > 0)
         return replay(fold);
     problem_evaluate(&fold->problem, fold->state->x);
-    return record_step(fold, 0);
+    if (!record_step(fold, 0))
+        return false;
+    const struct solve *solve = &fold->sheet->solve;
+    if (solve->method != METHOD_LBFGS && solve->noise > 0)
+        stripes_bend(fold->state->d, 1.0 / solve->steps, fold->state->x);
+    return true;
 }
 
 /* All growth steps but the last, whose end is polished later. */

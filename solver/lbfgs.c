@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * libLBFGS on the unknowns themselves, or on y where x = x0 + s P^T L^-T y and
- * L L^T = P H P^T is the factor of the semidefinite Hessian (Liu, Bouaziz and
- * Kavan 2017): H looks like the identity to it.  The only user of lbfgs.h. */
+ * libLBFGS on the unknowns themselves, or on y where x = R(x0, s P^T L^-T y), R the
+ * way of an increment (op->retract) and L L^T = P H P^T the factor of the semidefinite
+ * Hessian (Liu, Bouaziz and Kavan 2017): H looks like the identity to it.  The only user of lbfgs.h. */
 #include "solver/problem.h"
 
 #include <lbfgs.h>
@@ -12,7 +12,7 @@
 #include "solver/memory.h"
 #include "solver/stopwatch.h"
 
-enum { REFRESH = 30, HISTORY = 8, LANES_OF_LBFGS = 8 };
+enum { REFRESH = 20, HISTORY = 8, LANES_OF_LBFGS = 8 };
 
 enum { STOP_CONVERGED = 1, STOP_REFRESH, STOP_LIMIT, STOP_OBSERVER, STOP_FINITE };
 
@@ -20,6 +20,7 @@ struct run {
     struct problem *p;
     bool            preconditioned;
     double         *x0;                 /* (n) where the factor was taken */
+    double         *dx;                 /* (n) the increment of the state last evaluated, over s */
     double          scale;              /* s */
 };
 
@@ -40,6 +41,10 @@ static void to_gradient(struct run *run, const double *gx, double *gy)
 {
     struct problem *p = run->p;
     double start = stopwatch();
+    if (p->d->op->retract_adjoint) {
+        p->d->op->retract_adjoint(p->d, run->x0, run->scale, run->dx, gx, p->step);
+        gx = p->step;
+    }
     if (p->d->op->cotangent) {
         p->d->op->cotangent(p->d, run->x0, gx, p->step);
         gx = p->step;
@@ -55,9 +60,10 @@ static void state_of(struct run *run, const double *y, double *x)
         memcpy(x, y, sizeof *x * (size_t)n);
         return;
     }
-    to_step(run, y, x);
-    for (int i = 0; i < n; i++)
-        x[i] = run->x0[i] + run->scale * x[i];
+    to_step(run, y, run->dx);
+    double start = stopwatch();
+    problem_move(run->p, run->x0, run->scale, run->dx, x);
+    run->p->effort->solve_s += stopwatch() - start;
 }
 
 static lbfgsfloatval_t evaluate(void *instance, const lbfgsfloatval_t *y, lbfgsfloatval_t *gy, int padded,
@@ -155,6 +161,7 @@ enum outcome lbfgs_minimise(struct problem *p, double *x)
 static void scale_first_step(struct run *run)
 {
     struct problem *p = run->p;
+    memset(run->dx, 0, sizeof *run->dx * (size_t)p->d->n);
     to_gradient(run, p->gradient, p->trial);
     double square = 0;
     for (int i = 0; i < p->d->n; i++)
@@ -164,7 +171,8 @@ static void scale_first_step(struct run *run)
 
 enum outcome plbfgs_minimise(struct problem *p, double *x)
 {
-    struct run run = {.p = p, .preconditioned = true, .x0 = MEMORY_ARRAY(double, p->d->n)};
+    struct run run = {.p = p, .preconditioned = true, .x0 = MEMORY_ARRAY(double, p->d->n),
+                      .dx = MEMORY_ARRAY(double, p->d->n)};
     enum outcome outcome = OUTCOME_FAILED;
     int why = STOP_REFRESH, before = -1;
     if (isfinite(problem_evaluate(p, x)))
@@ -186,5 +194,6 @@ enum outcome plbfgs_minimise(struct problem *p, double *x)
             problem_evaluate(p, x);
         }
     free(run.x0);
+    free(run.dx);
     return outcome;
 }

@@ -9,7 +9,7 @@
 
 enum { GAUSS_COARSE = 3, GAUSS = 4, LEAST_CELLS = 2 };  /* points a side; triangles a stitch's side at the least */
 
-static bool is_spline(const struct discretisation *d)
+bool levels_is_spline(const struct discretisation *d)
 {
     return strcmp(d->op->kind, "spline") == 0;
 }
@@ -58,11 +58,11 @@ struct discretisation *levels_next(const struct discretisation *d, int threads)
     int wanted = sheet->mesh.per_stitch, twice = 2 * d->per_stitch;
     if (sheet->mesh.discretisation == DISCRETISATION_TRIANGLE)
         return triangle_make(sheet, twice, threads);
-    int per_stitch = is_spline(d) ? 1 : wanted > twice && wanted % twice ? wanted : twice;
+    int per_stitch = levels_is_spline(d) ? 1 : wanted > twice && wanted % twice ? wanted : twice;
     return levels_patches(sheet, per_stitch, threads);
 }
 
 bool levels_passing(const struct discretisation *d)
 {
-    return is_spline(d) || d->per_stitch < d->sheet->mesh.per_stitch;
+    return levels_is_spline(d) || d->per_stitch < d->sheet->mesh.per_stitch;
 }

@@ -22,6 +22,9 @@ struct discretisation *levels_next(const struct discretisation *d, int threads);
 /* Bicubic patches, so many along a stitch's side, whatever the sheet asks for. */
 struct discretisation *levels_patches(const struct sheet *sheet, int per_stitch, int threads);
 
+/* The coarse level of patches, whose nodes are control points? */
+bool levels_is_spline(const struct discretisation *d);
+
 /* Is there a finer level before the one asked for? */
 bool levels_passing(const struct discretisation *d);
 

@@ -106,14 +106,12 @@ static bool conjugate_step(struct problem *p, const double *x)
  * the length taken, 0 where none descends. */
 static double line_search(struct problem *p, double *x, double energy, double slope)
 {
-    const int n = p->d->n;
     double length = 1;
     for (int tries = 0; tries < 30; tries++) {
-        for (int i = 0; i < n; i++)
-            p->trial[i] = x[i] + length * p->step[i];
+        problem_move(p, x, length, p->step, p->trial);
         double there = problem_evaluate(p, p->trial);
         if (isfinite(there) && there <= energy + ARMIJO * length * slope) {
-            memcpy(x, p->trial, sizeof *x * (size_t)n);
+            memcpy(x, p->trial, sizeof *x * (size_t)p->d->n);
             return length;
         }
         double best = isfinite(there) ? -slope * length * length / (2 * (there - energy - slope * length)) : 0;
@@ -127,8 +125,7 @@ static double line_search(struct problem *p, double *x, double energy, double sl
 static bool step_by_gradient(struct problem *p, double *x)
 {
     double before = p->gradient_max;
-    for (int i = 0; i < p->d->n; i++)
-        p->trial[i] = x[i] + p->step[i];
+    problem_move(p, x, 1, p->step, p->trial);
     problem_evaluate(p, p->trial);
     if (!(p->gradient_max < 0.9 * before)) {
         problem_evaluate(p, x);

@@ -6,78 +6,39 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "solver/patch_grid.h"
+#include "solver/patch_batch.h"
 #include "solver/patch_kernel.h"
 
 enum { WORTH_THREADS = 200 };      /* elements from which a second thread helps */
 
 /* ---- one batch of eight elements ---- */
 
-struct batch {
-    const struct patch *patch;
-    int                 count;              /* elements in use, the rest repeat the first */
-    int                 element[LANES];
-    lanes               kx, ky, twist;      /* natural curvature, grown */
-    int                 first[LANES][9];    /* first unknown of each of an element's nodes */
-};
-
-static void batch_open(const struct patch *p, int index, double growth, struct batch *b)
+/* The natural curvatures of a batch's stitches, grown. */
+LANES_INLINE struct tensor batch_curvature(const struct batch *b, double growth)
 {
-    const struct sheet *sheet = p->d.sheet;
-    b->patch = p;
-    b->count = p->batch[index].count;
+    const struct sheet *sheet = b->patch->d.sheet;
+    struct tensor b0;
     for (int l = 0; l < LANES; l++) {
-        int e = p->batch[index].element[l < b->count ? l : 0];
-        size_t stitch = patch_stitch(p, e);
-        b->element[l] = e;
-        b->kx[l] = growth * sheet->kx[stitch];
-        b->ky[l] = growth * sheet->ky[stitch];
-        b->twist[l] = growth * sheet->twist[stitch];
-        patch_nodes(p, e, b->first[l]);
+        size_t stitch = patch_stitch(b->patch, b->element[l]);
+        b0.xx[l] = growth * sheet->kx[stitch];
+        b0.yy[l] = growth * sheet->ky[stitch];
+        b0.xy[l] = growth * sheet->twist[stitch];
     }
-}
-
-LANES_INLINE void batch_gather(const struct batch *b, const double *x, int nfun, int per_node, struct vec *X)
-{
-    for (int l = 0; l < LANES; l++)
-        for (int a = 0; a < nfun; a++) {
-            const double *r = x + b->first[l][a / per_node] + 3 * (a % per_node);
-            X[a].x[l] = r[0], X[a].y[l] = r[1], X[a].z[l] = r[2];
-        }
-}
-
-LANES_INLINE void batch_scatter(const struct batch *b, const struct vec *G, int nfun, int per_node, double *gradient)
-{
-    for (int l = 0; l < b->count; l++)
-        for (int a = 0; a < nfun; a++) {
-            double *g = gradient + b->first[l][a / per_node] + 3 * (a % per_node);
-            g[0] += G[a].x[l], g[1] += G[a].y[l], g[2] += G[a].z[l];
-        }
-}
-
-/* d_i = Sum_a N_i^a X_a */
-LANES_INLINE void derive(const double (*N)[BASIS_MAX], int nfun, const struct vec *X, struct vec d[D_COUNT])
-{
-    for (int i = 0; i < D_COUNT; i++) {
-        struct vec s = {.x = {0}};
-        for (int a = 0; a < nfun; a++)
-            s = vec_fma(s, lanes_set(N[i][a]), X[a]);
-        d[i] = s;
-    }
+    return b0;
 }
 
 /* e = Sum_g w (1/2 S:E + 1/2 M:B); G_a += Sum_g w N_i^a de/dd_i */
-LANES_INLINE void batch_energy_of(const struct batch *b, const double *x, int nfun, int per_node, double *gradient,
-                                  double energy[2])
+LANES_INLINE void batch_energy_of(const struct batch *b, const double *x, double growth, int nfun, int per_node,
+                                  double *gradient, double energy[2])
 {
     const struct patch *p = b->patch;
     struct vec X[BASIS_MAX], G[BASIS_MAX] = {{.x = {0}}};
-    struct tensor b0 = {b->kx, b->ky, b->twist};
+    struct tensor b0 = batch_curvature(b, growth);
     lanes stretching = {0}, bending = {0};
     batch_gather(b, x, nfun, per_node, X);
     for (int g = 0; g < p->ngauss; g++) {
         struct vec d[D_COUNT], f[D_COUNT];
-        derive(p->N[g], nfun, X, d);
+        batch_derive(p->N[g], D_COUNT, nfun, X, d);
         struct point at = point_forms(&p->plate, d, &b0);
         lanes w = lanes_set(p->weight[g]);
         stretching += 0.5 * w * tensor_dot(at.S, at.E);
@@ -85,11 +46,7 @@ LANES_INLINE void batch_energy_of(const struct batch *b, const double *x, int nf
         if (!gradient)
             continue;
         point_gradient(&at, d, f);
-        for (int i = 0; i < D_COUNT; i++) {
-            f[i] = vec_scale(w, f[i]);
-            for (int a = 0; a < nfun; a++)
-                G[a] = vec_fma(G[a], lanes_set(p->N[g][i][a]), f[i]);
-        }
+        batch_spread(p->N[g], D_COUNT, nfun, p->weight[g], f, G);
     }
     energy[0] = energy[1] = 0;
     for (int l = 0; l < b->count; l++)
@@ -104,11 +61,11 @@ LANES_KERNEL void patch_batch_energy(const struct patch *p, int index, const dou
                                      double *gradient, double *energy)
 {
     struct batch b;
-    batch_open(p, index, growth, &b);
+    batch_open(p, index, &b);
     if (p->basis->kind == BASIS_HERMITE)
-        batch_energy_of(&b, x, 16, 4, gradient, energy);
+        batch_energy_of(&b, x, growth, 16, 4, gradient, energy);
     else
-        batch_energy_of(&b, x, 9, 1, gradient, energy);
+        batch_energy_of(&b, x, growth, 9, 1, gradient, energy);
 }
 
 /* T_i = Sum_j K_ij N_j^b, the Hessian at a Gauss point applied to function b, for i = p, q, r_xx, r_yy, r_xy. */
@@ -150,17 +107,17 @@ LANES_INLINE void block_scatter(const struct batch *b, int fa, int fb, int per_n
 }
 
 /* H_ab = Sum_g w Sum_ij N_i^a K_ij N_j^b, a >= b */
-LANES_INLINE void batch_hessian_of(const struct batch *b, const double *x, int nfun, int per_node, int exact,
-                                   double *value)
+LANES_INLINE void batch_hessian_of(const struct batch *b, const double *x, double growth, int nfun, int per_node,
+                                   int exact, double *value)
 {
     const struct patch *p = b->patch;
     struct vec X[BASIS_MAX];
-    struct tensor b0 = {b->kx, b->ky, b->twist};
+    struct tensor b0 = batch_curvature(b, growth);
     struct point_hessian K[GAUSS_MAX * GAUSS_MAX];
     batch_gather(b, x, nfun, per_node, X);
     for (int g = 0; g < p->ngauss; g++) {
         struct vec d[D_COUNT];
-        derive(p->N[g], nfun, X, d);
+        batch_derive(p->N[g], D_COUNT, nfun, X, d);
         struct point at = point_forms(&p->plate, d, &b0);
         point_second(&p->plate, &at, d, exact, &K[g]);
     }
@@ -185,11 +142,11 @@ LANES_KERNEL void patch_batch_hessian(const struct patch *p, int index, const do
                                       double *value)
 {
     struct batch b;
-    batch_open(p, index, growth, &b);
+    batch_open(p, index, &b);
     if (p->basis->kind == BASIS_HERMITE)
-        batch_hessian_of(&b, x, 16, 4, exact, value);
+        batch_hessian_of(&b, x, growth, 16, 4, exact, value);
     else
-        batch_hessian_of(&b, x, 9, 1, exact, value);
+        batch_hessian_of(&b, x, growth, 9, 1, exact, value);
 }
 
 /* ---- all batches: even stripes, then odd ones.  No two stripes of a parity share an unknown,
@@ -245,7 +202,7 @@ static void patch_free(struct discretisation *d)
     {                                                                                                                 \
         .kind = name, .flat = patch_flat, .energy = patch_energy, .hessian = patch_hessian, .mass = patch_mass,       \
         .prolong = patch_prolong, .restrict_gradient = patch_restrict, .restrict_hessian = patch_restrict_hessian,           \
-        .sample = patch_sample, .doubt = patch_doubt,                                                                 \
+        .retract = patch_retract, .retract_adjoint = patch_retract_adjoint, .sample = patch_sample, .doubt = patch_doubt,                                                                 \
         .free = patch_free                                                                                            \
     }
 

@@ -28,15 +28,14 @@ static void scale_derivatives(const struct patch *p, const double N[3][3][BASIS_
     }
 }
 
-static void tabulate(struct patch *p, int gauss)
+void patch_tabulate(const struct patch *p, int gauss, double *area, double (*table)[D_COUNT][BASIS_MAX])
 {
     double at[GAUSS_MAX], weight[GAUSS_MAX], N[3][3][BASIS_MAX];
     basis_gauss(gauss, at, weight);
-    p->ngauss = gauss * gauss;
-    for (int g = 0; g < p->ngauss; g++) {
+    for (int g = 0; g < gauss * gauss; g++) {
         basis_at(p->basis, at[g % gauss], at[g / gauss], N);
-        scale_derivatives(p, N, p->N[g]);
-        p->weight[g] = weight[g % gauss] * weight[g / gauss] * p->hx * p->hy;
+        scale_derivatives(p, N, table[g]);
+        area[g] = weight[g % gauss] * weight[g / gauss] * p->hx * p->hy;
     }
 }
 
@@ -152,7 +151,9 @@ struct patch *patch_grid_make(const struct sheet *sheet, const struct basis *bas
     p->d.n = p->per_node * p->d.nnodes;
     p->d.elements = (long)p->nx * p->ny;
     p->d.ordered = true;
-    tabulate(p, gauss);
+    p->ngauss = gauss * gauss;
+    patch_tabulate(p, gauss, p->weight, p->N);
+    p->retraction = patch_retraction_make();
 
     p->place = MEMORY_ARRAY(int, p->d.nnodes);
     p->node = MEMORY_ARRAY(int, p->d.nnodes);
@@ -180,6 +181,7 @@ void patch_grid_free(struct patch *p)
     free(p->batch);
     free(p->energy);
     springs_free(&p->springs);
+    patch_retraction_free(p->retraction);
     free(p);
 }
 

@@ -38,10 +38,14 @@ struct patch {
     struct patch_batch   *batch;        /* (nbatches) */
     double               *energy;       /* (nbatches x 2) scratch: stretching, bending */
     struct spring_form        springs;
+    struct retraction        *retraction;   /* patch_retract.c's own */
 };
 
 struct patch *patch_grid_make(const struct sheet *sheet, const struct basis *basis, int per_stitch, int gauss);
 void          patch_grid_free(struct patch *patch);
+
+/* Weights (area) and derivatives of the functions at the gauss x gauss points of every element. */
+void patch_tabulate(const struct patch *p, int gauss, double *area, double (*table)[D_COUNT][BASIS_MAX]);
 
 /* Fills the boundary's mass matrix; after patch_grid_make and with d.op set. */
 void patch_springs(struct patch *patch);
@@ -85,5 +89,12 @@ void patch_restrict(const struct discretisation *coarse, double *gradient_coarse
                     const double *gradient_fine);
 void patch_restrict_hessian(const struct discretisation *coarse, double *value_coarse,
                             const struct discretisation *fine, const double *value_fine);
+
+/* Along turning pieces: patch_retract.c. */
+void patch_retract(const struct discretisation *d, const double *x, double length, const double *dx, double *y);
+void patch_retract_adjoint(const struct discretisation *d, const double *x, double length, const double *dx,
+                           const double *g, double *gu);
+struct retraction *patch_retraction_make(void);
+void               patch_retraction_free(struct retraction *retraction);
 
 #endif

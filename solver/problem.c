@@ -44,6 +44,19 @@ double problem_evaluate(struct problem *p, const double *x)
     return p->energy.total;
 }
 
+void problem_move(const struct problem *p, const double *x, double length, const double *step, double *y)
+{
+    if (p->d->op->retract) {
+        p->d->op->retract(p->d, x, length, step, y);
+        return;
+    }
+    for (int i = 0; i < p->d->n; i++)
+        y[i] = x[i] + length * step[i];
+}
+
+/* Such a shift holds the rigid motions by itself, and as symmetric as the sheet. */
+static const double UNPINNED = 1e-6;
+
 /* The velocities of unknown i of a node at r under the six rigid motions: three
  * translations, then omega x r about each axis. */
 static void rigid_velocity(const double *r, int c, double z[6])
@@ -99,7 +112,7 @@ void problem_regularise(const struct discretisation *d, const double *x, const d
         mean += hessian[diagonal[i]] / d->n;
     for (int i = 0; i < d->n; i++)
         hessian[diagonal[i]] += shift * mass[i];
-    if (d->sheet->spring > 0)
+    if (d->sheet->spring > 0 || shift >= UNPINNED)
         return;
     int pin[6];
     choose_pins(d, x, pin);

@@ -51,6 +51,9 @@ void problem_close(struct problem *p);
 /* Energy, gradient and their largest component at x; returns the total energy, not finite where x makes no sense. */
 double problem_evaluate(struct problem *p, const double *x);
 
+/* y (n): where length * step leads from x; y is neither of them. */
+void problem_move(const struct problem *p, const double *x, double length, const double *step, double *y);
+
 /* Adds shift * mass, and stiffness at the pins of a free sheet, to a Hessian: at
  * any state x the step that solves with it is the free sheet's own, as the
  * gradient does no work along rigid motions. */

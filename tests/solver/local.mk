@@ -13,6 +13,11 @@ tests_solver_test_descent_SOURCES = tests/solver/test_descent.c
 tests_solver_test_descent_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_solver_test_descent_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 
+check_PROGRAMS += tests/solver/test_retract
+tests_solver_test_retract_SOURCES = tests/solver/test_retract.c
+tests_solver_test_retract_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
+tests_solver_test_retract_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
+
 check_PROGRAMS += tests/solver/test_fold
 tests_solver_test_fold_SOURCES = tests/solver/test_fold.c
 tests_solver_test_fold_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
