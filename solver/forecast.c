@@ -3,24 +3,29 @@
  * time and memory out. */
 #include "solver/forecast.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 #include "solver/factor.h"
 #include "solver/fold.h"
 #include "solver/levels.h"
+#include "solver/memory.h"
 #include "solver/sheet.h"
 
 /* Costs, measured on two cores of 2020s make; and how often each is paid. */
 static const double FLOP = 1 / 1.5e10;          /* s, of a factorisation */
 static const double NONZERO = 1.5e-9;           /* s, of a factor, per iteration */
 static const double ENTRY = 1e-9;               /* s, of a Hessian, per conjugate step */
-static const double ELEMENT = 1e-6;             /* s, per iteration */
+static const double ELEMENT = 2.5e-6;           /* s, per iteration */
 static const double ASSEMBLE = 1.2e-5;          /* s, an element, per factorisation */
 static const double FACE = 0.25;                /* of an element's costs, for a triangle */
 static const double KEPT = 2.6;                 /* times a factor and its pattern */
-static const double PROGRAM = 15e6;             /* bytes */
+static const double PROGRAM = 15e6, BEGIN = 0.02;   /* bytes and seconds, whatever the fold */
 enum { FIRST_ITERATIONS = 90, FIRST_FACTORS = 5, GROWTH_ITERATIONS = 20, GROWTH_FACTORS = 2 };
 enum { LEVEL_ITERATIONS = 60, LEVEL_FACTORS = 5 };
 enum { NEWTON_STEPS = 14, CONJUGATE_STEPS = 25 };   /* of a level too large to factor, and of each step there */
 enum { CHECK_ITERATIONS = 40, CHECK_FACTORS = 6 };  /* on patches, for the error of triangles */
+enum { ESTIMATE_STEPS = 20, SAMPLE = 12 };
 enum { NEXT_LEVEL = 4 };                            /* times as many unknowns */
 
 /* The last level that was factored. */
@@ -62,6 +67,49 @@ static void add_conjugate_level(struct forecast *f, const struct discretisation 
                (1 + NEXT_LEVEL) * (hessian_entries(d) * (sizeof(double) + sizeof(int)) + d->n * unknown);
 }
 
+/* The error estimate of the last level assembles the next one's Hessian and takes conjugate steps there. */
+static void add_estimate(struct forecast *f, const struct discretisation *d, const struct factored *last)
+{
+    double finer = NEXT_LEVEL * (double)d->elements, entries = NEXT_LEVEL * hessian_entries(d);
+    f->seconds += finer * ASSEMBLE + ESTIMATE_STEPS * (entries * ENTRY + last->nonzeros * NONZERO);
+    double bytes = PROGRAM + last->bytes + entries * (sizeof(double) + sizeof(int));
+    f->bytes = bytes > f->bytes ? bytes : f->bytes;
+}
+
+/* ---- auto: how fine? ---- */
+
+/* The middle of the sheet, SAMPLE stitches a side at most. */
+static struct sheet sample_of(const struct sheet *sheet)
+{
+    struct sheet s = *sheet;
+    s.columns = s.columns < SAMPLE ? s.columns : SAMPLE;
+    s.rows = s.rows < SAMPLE ? s.rows : SAMPLE;
+    s.solve.steps = 1;
+    const double *from[] = {sheet->kx, sheet->ky, sheet->twist};
+    double **to[] = {&s.kx, &s.ky, &s.twist};
+    int x = (sheet->columns - s.columns) / 2, y = (sheet->rows - s.rows) / 2;
+    for (int k = 0; k < 3; k++) {
+        *to[k] = MEMORY_ARRAY(double, (size_t)s.columns * (size_t)s.rows);
+        for (int j = 0; j < s.rows; j++)
+            memcpy(*to[k] + (size_t)j * (size_t)s.columns,
+                   from[k] + (size_t)(y + j) * (size_t)sheet->columns + x, sizeof(double) * (size_t)s.columns);
+    }
+    return s;
+}
+
+/* The cells a stitch's side that the accuracy takes on a sample: errors are made at the stitches' lines, alike
+ * all over the sheet. */
+static int cells_for_accuracy(const struct sheet *sheet)
+{
+    struct sheet sample = sample_of(sheet);
+    struct fold_record record;
+    fold_free(fold_run(&sample, &(struct fold_options){.threads = 1}, NULL, &record));
+    int cells = record.per_stitch;
+    fold_record_free(&record);
+    free(sample.kx), free(sample.ky), free(sample.twist);
+    return cells;
+}
+
 /* Triangles find their error on patches, with their own level kept. */
 static void add_check(struct forecast *f, const struct sheet *sheet)
 {
@@ -74,12 +122,15 @@ static void add_check(struct forecast *f, const struct sheet *sheet)
 
 struct forecast forecast_fold(const struct sheet *sheet)
 {
-    struct forecast forecast = {0};
+    struct forecast forecast = {.seconds = BEGIN};
+    int cells = sheet->mesh.per_stitch ? sheet->mesh.per_stitch : cells_for_accuracy(sheet);
     struct discretisation *d = levels_first(sheet, 1);
     double more = sheet->solve.steps - 1;
     struct factored last = add_level(&forecast, d, FIRST_ITERATIONS + more * GROWTH_ITERATIONS,
                                      FIRST_FACTORS + more * GROWTH_FACTORS);
-    while (levels_passing(d)) {
+    while (levels_passing(d) || d->per_stitch < cells) {
+        if (!levels_passing(d) && d->op->restrict_hessian)
+            add_estimate(&forecast, d, &last);
         struct discretisation *finer = levels_next(d, 1);
         d->op->free(d);
         d = finer;
@@ -90,6 +141,8 @@ struct forecast forecast_fold(const struct sheet *sheet)
     }
     if (!d->op->restrict_hessian)
         add_check(&forecast, sheet);
+    else if (d->n <= FOLD_MOST_FACTORED)
+        add_estimate(&forecast, d, &last);
     forecast.per_stitch = d->per_stitch;
     forecast.unknowns = d->n;
     forecast.elements = d->elements;

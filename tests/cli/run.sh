@@ -116,9 +116,13 @@ exits 0 'nothing to write' "$WEFT" run "$work/rib.knit"
 out 'is said' 'nothing written'
 exits 0 'dry run' "$WEFT" run "$work/rib.knit" --dry-run -o "$work/set/dry.vtp"
 out 'says the size' '4 stitches x 3 rows, 3 growth steps'
-out 'guesses time and memory' '^about [0-9.]* s, [0-9.]* GB; more where the accuracy takes a finer mesh$'
+out 'guesses time and memory' '^about [0-9.]* s, [0-9.]* GB$'
 exits 0 'dry run of the run above' "$WEFT" run "$work/rib.knit" --dry-run -D n=8 --per-stitch 1
 out 'knows the unknowns' "^1 per stitch: $(value "$report" discretisation.unknowns) unknowns, $(value "$report" discretisation.elements) elements"
 holds 'writes nothing' "$work/set" r.json r.manifest.json
+printf 'use seed from std\nswatch fill(seed, 8, 8)\n' >"$work/seed.knit"
+exits 0 'fine seed stitch' "$WEFT" run "$work/seed.knit" -q --steps 1 --accuracy 3% -o "$work/seed.json"
+exits 0 'dry run of it' "$WEFT" run "$work/seed.knit" --steps 1 --accuracy 3% --dry-run
+out 'foresees the finer mesh' "^2 per stitch (as a sample of the swatch takes): $(value "$work/seed.json" discretisation.unknowns) unknowns"
 
 finish
