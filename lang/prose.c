@@ -175,9 +175,11 @@ bool prose_fabric_follows(const char *text)
 bool prose_casts_some(const char *text)
 {
     static const char *const word[] = {"beg", "beginning", "each", "next"};
-    const char *number = strstr(text, "off");
+    const char *off = text;
 
-    if (!number || !isdigit((unsigned char)*skip_blanks(number + 3)))
+    while (*off && !is_word(off, "off"))
+        off += word_length(off) ? word_length(off) : 1;
+    if (!*off || !isdigit((unsigned char)*skip_blanks(off + 3)))
         return false;
     for (size_t i = 0; i < sizeof word / sizeof *word; i++)
         if (line_has_word(text, word[i]))
