@@ -103,8 +103,9 @@ int scanner_repeat(struct scanner *scanner)
     if (!expected || (strcmp(expected, "'rows'") == 0 && !syntax_meant(scanner->parse, span)))
         return scanner_token(scanner, scanner_closes_group(scanner) ? TOKEN_REP : TOKEN_REP_ALL);
     if (strcmp(expected, "'*'") == 0) {
-        span.start = span.end + (unsigned)strspn(behind, " \t");
-        span.end = span.start + (unsigned)word_length(SCANNER_TEXT(scanner) + (span.start - scanner->at));
+        behind += strspn(behind, " \t");
+        span.start = scanner->at + (unsigned)(behind - text);
+        span.end = span.start + (unsigned)(word_length(behind) ? word_length(behind) : *behind && !strchr("\r\n", *behind));
     }
     scanner->star = false;
     return syntax_unknown_word(scanner->parse, span, expected);
