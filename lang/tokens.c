@@ -68,19 +68,21 @@ static int add_gap(struct reader *reader, unsigned end)
     return breaks;
 }
 
-/* The words the scanner read over in a part of a line, without blanks and stops around them. */
+/* The words the scanner read over in a part of a line, before a comment, without blanks and stops around them. */
 static struct span words_in(const struct reader *reader, unsigned start, unsigned end)
 {
     const char *text = reader->source->text;
+    const char *comment = memchr(text + start, '#', end > start ? end - start : 0);
     bool letters = false;
 
+    end = comment ? (unsigned)(comment - text) : end;
     while (start < end && strchr(" \t\f\v.;,", text[start]))
         start++;
     while (end > start && strchr(" \t\f\v.;,", text[end - 1]))
         end--;
     for (unsigned at = start; at < end; at++) {
         letters |= isalpha((unsigned char)text[at]);
-        if (strchr("\r\n#", text[at]))
+        if (strchr("\r\n", text[at]))
             return (struct span){0};
     }
     return letters ? (struct span){reader->source, start, end} : (struct span){0};
