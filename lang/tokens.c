@@ -93,14 +93,18 @@ static unsigned later(unsigned a, unsigned b)
     return a > b ? a : b;
 }
 
-/* Where a line of text begins, the marks of its page included: `**`, a bullet. */
+/* Where a line of text begins, the marks of its page included: `**`, a bullet, a number. */
 static unsigned with_marks(const struct reader *reader, unsigned start)
 {
     const char *text = reader->source->text;
+    unsigned at = later(reader->line, reader->end), first = start;
 
-    while (start > later(reader->line, reader->end) && !strchr(" \t\f\v\r\n#;{}", text[start - 1]))
-        start--;
-    return start;
+    for (; at < start; at++)
+        if (strchr("\r\n#;{}", text[at]))
+            first = start;
+        else if (!strchr(" \t\f\v", text[at]) && first == start)
+            first = at;
+    return first;
 }
 
 /* A line's end is no token here: the one behind it says that it begins something. */

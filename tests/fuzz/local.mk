@@ -2,7 +2,7 @@
 FUZZ_TARGETS = script format kp csv knitout png
 FUZZ_SECONDS = 60
 FUZZ_FLAGS   = -g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
-FUZZ_FILES   = $(liblang_a_SOURCES) $(libcharts_a_SOURCES)
+FUZZ_FILES   = $(liblang_a_SOURCES) $(libcharts_a_SOURCES) $(libdrawing_a_SOURCES)
 fuzz_folder  = tests/fuzz/build
 
 # Inputs once found, without the fuzzer.
@@ -15,7 +15,7 @@ EXTRA_DIST += tests/fuzz/entry.c tests/fuzz/seeds.sh tests/fuzz/fuzz.sh tests/fu
 fuzz: weft$(EXEEXT) stdlib/embedded.c lang/parser.h
 	@if test -z '$(FUZZ_CC)'; then echo 'make fuzz needs clang with libFuzzer; configure found none' >&2; exit 1; fi
 	@WEFT='$(abs_top_builddir)/weft' WEFT_SOURCE='$(abs_top_srcdir)' FUZZ_CC='$(FUZZ_CC)' FUZZ_FLAGS='$(FUZZ_FLAGS)' \
-	FUZZ_CPPFLAGS='-I. -I$(srcdir) $(PNG_CFLAGS)' FUZZ_LIBS='$(PNG_LIBS) -lm' \
+	FUZZ_CPPFLAGS='-I. -I$(srcdir) $(PNG_CFLAGS) $(CAIRO_CFLAGS)' FUZZ_LIBS='$(PNG_LIBS) $(CAIRO_LIBS) -lm' \
 	FUZZ_SOURCES='$(FUZZ_FILES) stdlib/embedded.c tests/fuzz/target.h tests/fuzz/target.c' FUZZ_SECONDS='$(FUZZ_SECONDS)' \
 	    $(SHELL) $(srcdir)/tests/fuzz/fuzz.sh $(fuzz_folder) $(FUZZ_TARGETS)
 clean-local-fuzz:
