@@ -3,7 +3,7 @@
 # Times are CPU seconds (user + system, one thread unless said) and wall seconds; the
 # median of BENCH_RUNS runs, of one run where that took longer than BENCH_ONCE seconds.
 set -eu
-: "${srcdir:=.}" "${BENCH_RUNS:=3}" "${BENCH_ONCE:=5}"
+: "${srcdir:=.}" "${BENCH_RUNS:=3}" "${BENCH_ONCE:=600}"
 : "${BENCH_LIMIT:=$([ -n "${BENCH_LARGE:-}" ] && echo 3600 || echo 120)}"
 weft=${WEFT:-./weft}
 bench=$srcdir/bench
