@@ -53,6 +53,7 @@ static enum outcome settle_auto(struct problem *p, double *x)
     double *other = memcpy(MEMORY_ARRAY(double, p->d->n), x, size);
     enum outcome outcome = settle_fast(p, x);
     if (outcome != OUTCOME_STOPPED && outcome != OUTCOME_LIMIT && doubted(p, x) && !doubted(p, other)) {
+        p->doubts = 0;
         enum outcome second = newton_minimise(p, other);
         bool better = second != OUTCOME_STALLED && second != OUTCOME_FAILED && !doubted(p, other);
         outcome = better ? second : outcome;

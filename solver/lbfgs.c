@@ -185,6 +185,10 @@ enum outcome plbfgs_minimise(struct problem *p, double *x)
                 outcome = outcome_of(why, p->effort->iterations > before);
                 break;
             }
+            if (problem_lost(p, x)) {
+                outcome = OUTCOME_STALLED;
+                break;
+            }
             if (problem_factor(p, x, HESSIAN_SEMIDEFINITE, 1e-8) != FACTOR_DONE)
                 break;
             memcpy(run.x0, x, sizeof *x * (size_t)p->d->n);

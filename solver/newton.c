@@ -182,6 +182,8 @@ static enum outcome newton_step(struct problem *p, double *x, struct march *m)
     m->before = p->gradient_max;
     if (p->effort->iterations >= p->limit)
         return OUTCOME_LIMIT;
+    if (problem_lost(p, x))
+        return OUTCOME_STALLED;
     if (!(p->two_level ? conjugate_step(p, x) : factored_step(p, x, &m->shift, m->keep)))
         return OUTCOME_FAILED;
     cap_step(p->d, m->most, p->step);

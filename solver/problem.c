@@ -137,6 +137,16 @@ enum factor_result problem_factor(struct problem *p, const double *x, enum hessi
     return result;
 }
 
+bool problem_lost(struct problem *p, const double *x)
+{
+    enum { BETWEEN_LOOKS = 20, MOST_DOUBTS = 10 };
+    if (!p->d->op->doubt || p->effort->iterations < p->looked + BETWEEN_LOOKS)
+        return false;
+    p->looked = p->effort->iterations;
+    p->doubts = p->d->op->doubt(p->d, x) ? p->doubts + 1 : 0;
+    return p->doubts >= MOST_DOUBTS;
+}
+
 bool problem_report(struct problem *p)
 {
     return !p->progress || p->progress(p->progress_self, p->growth, p->effort->iterations, p->energy.total);

@@ -43,6 +43,7 @@ struct problem {
     double        *step;            /* (n) */
     struct fold_energy energy;      /* at the state last evaluated */
     double         gradient_max;    /* likewise */
+    int            looked, doubts;  /* problem_lost: the iteration of its last look, doubts in a row */
 };
 
 void problem_open(struct problem *p, const struct discretisation *d, struct effort *effort);
@@ -62,6 +63,9 @@ void problem_regularise(const struct discretisation *d, const double *x, const d
 
 /* Factors H(x) + shift * mass, rigid modes of a free sheet pinned. */
 enum factor_result problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift);
+
+/* Has the state made no sense (op->doubt) for some hundred iterations?  It will not again: to be asked between them. */
+bool problem_lost(struct problem *p, const double *x);
 
 /* false once the observer asks to stop. */
 bool problem_report(struct problem *p);
