@@ -175,6 +175,22 @@ struct item *item_stitches(struct parse *parse, struct span span, const char *na
     return item_stitch(parse, span, name, expr_number(parse, number, n, 0), (struct until){.span = before});
 }
 
+/* What they are called, which is how they are written. */
+const char item_same[] = "knit the knits and purl the purls", item_opposite[] = "purl the knits and knit the purls";
+
+struct item *item_below(struct parse *parse, struct span span, bool opposite, struct until until)
+{
+    struct item *item = item_new(parse, ITEM_STITCH, span);
+
+    item->more[0] = (struct item_more){.name = opposite ? item_opposite : item_same, .until = until};
+    return item;
+}
+
+bool item_is_below(const struct item *item)
+{
+    return item->kind == ITEM_STITCH && (item->more->name == item_same || item->more->name == item_opposite);
+}
+
 struct item *item_group(struct parse *parse, enum item_kind kind, struct span span, struct item *child,
                         struct until until)
 {

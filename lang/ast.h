@@ -265,6 +265,11 @@ struct expr *expr_each(struct parse *, struct span, struct name_at x, struct nam
 struct argument *ast_argument(struct parse *, struct span, const char *name, struct expr *value);
 
 struct item *item_stitch(struct parse *, struct span, const char *name, struct expr *count, struct until);
+
+/* Stitches that show what those below them show, or the other face. */
+extern const char item_same[], item_opposite[];
+struct item *item_below(struct parse *, struct span, bool opposite, struct until);
+bool item_is_below(const struct item *);
 struct item *item_group(struct parse *, enum item_kind, struct span, struct item *child, struct until);
 
 /* `knit 2`: a number stands behind the name. */

@@ -40,6 +40,7 @@
     X(CODE_CAST_ON,         311, "a cast-on in the wrong place, or twice")                                    \
     X(CODE_ROW_REFERENCE,   312, "a row that is not there")                                                   \
     X(CODE_ELSEWHERE,       313, "a part of a row that is said elsewhere")                                    \
+    X(CODE_MANY_SIZES,      314, "numbers for several sizes in a row")                                        \
     /* motifs, charts and fabrics */                                                                          \
     X(CODE_FIT,             401, "a width that is not a multiple of the motif")                               \
     X(CODE_SIZES,           402, "fabrics of different width or height put together")                         \
@@ -94,7 +95,8 @@
     X(CODE_ASSUMED_REPEAT,  907, "a repeat in a row whose beginning is not marked")                           \
     X(CODE_ASSUMED_TOTAL,   908, "rows worked so often, by which the first time may be meant or not")   \
     X(CODE_SECOND_PART,     909, "rows that begin again at 1: a second part")                              \
-    X(CODE_KNITOUT_EXTENSION, 910, "an extension of knitout that is not read")
+    X(CODE_KNITOUT_EXTENSION, 910, "an extension of knitout that is not read")                             \
+    X(CODE_LAST_REPEAT,     911, "a repeat whose last time is taken to stop short")
 
 enum diag_code {
 #define X(name, number, about) name = number,

@@ -158,31 +158,6 @@ static bool makes_rows(const struct stmt *stmt)
     }
 }
 
-/* The width of rows that no cast-on gives. */
-static long long open_width(struct compilation *c, const struct body *body)
-{
-    struct diag *diag = c->eval.diag;
-    struct fit fit;
-
-    if (!rows_fit(body->rows, &fit) || !rows_good(body->rows))
-        return 0;
-    if (!fit.multiple && fit.plus)
-        return fit.plus;
-    if (!fit.multiple) {
-        diag_error(diag, CODE_EMPTY_MOTIF, body->first, "these rows have no stitch");
-        return 0;
-    }
-    if (c->options->least_width)
-        return fit.plus + fit.multiple * (fit.least > fit.plus ? (fit.least - fit.plus + fit.multiple - 1) / fit.multiple : 1);
-    diag_error(diag, CODE_ROW_WIDTH, body->first, "how many stitches these rows are worked over is not said");
-    if (fit.multiple > 1)
-        diag_hint(diag, "begin with `Cast on %lld sts`, or another multiple of %lld + %lld",
-                  4 * fit.multiple + fit.plus, fit.multiple, fit.plus);
-    else
-        diag_hint(diag, "begin with `Cast on 20 sts`");
-    return 0;
-}
-
 /* `Multiple of 4 + 2` at the top of the file. */
 static bool multiple_of(struct compilation *c, const struct body *body, long long *of, long long *plus)
 {
@@ -215,22 +190,57 @@ static bool check_multiple(struct compilation *c, const struct body *body)
 
 enum { ASSUMED_REPEATS = 4, ASSUMED_STITCHES = 20 };
 
+/* Some repeats; the least width the rows fit, or more. */
+static long long some_repeats(struct diag *diag, struct span span, long long of, long long plus, long long least)
+{
+    long long width = (of < 4 ? ASSUMED_STITCHES / of : ASSUMED_REPEATS) * of + plus;
+
+    if (width < least)
+        width += (least - width + of - 1) / of * of;
+    diag_warning(diag, CODE_ASSUMED_WIDTH, span,
+                 "how many stitches are cast on is not said: %lld, a multiple of %lld + %lld", width, of, plus);
+    diag_hint(diag, "`Cast on %lld sts`, or another multiple", width + of);
+    return width;
+}
+
+/* The width of rows that no cast-on gives. */
+static long long open_width(struct compilation *c, const struct body *body)
+{
+    struct diag *diag = c->eval.diag;
+    struct fit fit;
+
+    if (!rows_fit(body->rows, &fit) || !rows_good(body->rows))
+        return 0;
+    if (!fit.multiple && fit.plus)
+        return fit.plus;
+    if (!fit.multiple) {
+        diag_error(diag, CODE_EMPTY_MOTIF, body->first, "these rows have no stitch");
+        return 0;
+    }
+    if (c->options->least_width)
+        return fit.plus + fit.multiple * (fit.least > fit.plus ? (fit.least - fit.plus + fit.multiple - 1) / fit.multiple : 1);
+    if (fit.multiple > 1 && rows_one_repeat(body->rows, &fit))
+        return some_repeats(diag, body->first, fit.multiple, fit.plus, fit.least);
+    diag_error(diag, CODE_ROW_WIDTH, body->first, "how many stitches these rows are worked over is not said");
+    if (fit.multiple > 1)
+        diag_hint(diag, "begin with `Cast on %lld sts`, or another multiple of %lld + %lld",
+                  4 * fit.multiple + fit.plus, fit.multiple, fit.plus);
+    else
+        diag_hint(diag, "begin with `Cast on 20 sts`");
+    return 0;
+}
+
 /* A pattern from a stitch dictionary says its multiple and no more. */
 static long long assumed_width(struct compilation *c, const struct body *body)
 {
-    struct diag *diag = c->eval.diag;
-    long long of, plus, width;
+    long long of, plus;
     struct fit fit;
 
     if (!rows_fit(body->rows, &fit) || !rows_good(body->rows) || !multiple_of(c, body, &of, &plus))
         return 0;
     if (!fit.multiple)
         return fit.plus;
-    width = (of < 4 ? ASSUMED_STITCHES / of : ASSUMED_REPEATS) * of + plus;
-    diag_warning(diag, CODE_ASSUMED_WIDTH, body->multiple.span,
-                 "how many stitches are cast on is not said: %lld, a multiple of %lld + %lld", width, of, plus);
-    diag_hint(diag, "`Cast on %lld sts`, or another multiple", width + of);
-    return width;
+    return some_repeats(c->eval.diag, body->multiple.span, of, plus, 0);
 }
 
 static const struct grid *grid_of_body(struct compilation *c, struct body *body)

@@ -10,7 +10,7 @@ struct arena;
 
 /* Index into the scene's table of stitches. K and P exist from the start. */
 typedef unsigned char stitch_id;
-enum { STITCH_K = 0, STITCH_P = 1, STITCH_MAX = 255 };
+enum { STITCH_K = 0, STITCH_P = 1, STITCH_MAX = 250 };
 
 /* A fabric as seen from its right side: row 0 is the bottom (the first worked
  * row), column 0 the left edge. Immutable once made; lives in an arena. */

@@ -3,8 +3,10 @@
 #include "lang/lower.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "lang/limits.h"
+#include "lang/row_fit.h"
 #include "lang/vocabulary.h"
 
 /* Worked once, of so many runs of stitches. */
@@ -55,11 +57,13 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
         work->until = WORK_LAST;
         return true;
     case UNTIL_END:
-        work->until = WORK_LAST;
+        /* `*k2, p2; rep from * to end, k1`: as far as leaves room for k1. */
+        work->until = item->kind > ITEM_STITCH && item->next ? WORK_FIT : WORK_LAST;
         work->n = 0;
         return true;
     default:
         work->until = WORK_FIT;
+        work->ending = item->kind > ITEM_STITCH;
         return true;
     }
 }
@@ -123,6 +127,13 @@ static bool lower_item(struct eval *eval, struct where where, const struct item 
 
     if (!count_item(eval, where, item) || !lower_until(eval, where, item, work))
         return false;
+    if (item_is_below(item)) {
+        work->run[0] = (struct run){1, item->more->name == item_opposite ? STITCH_OTHER : STITCH_SAME};
+        work->nruns = 1;
+        work->length = 1;
+        *to = work;
+        return true;
+    }
     if (item->kind == ITEM_STITCH) {
         if (!lower_stitch(eval, where, item, work, &bare))
             return false;
@@ -140,34 +151,57 @@ static bool lower_item(struct eval *eval, struct where where, const struct item 
     return false;
 }
 
-/* The runs of a list of work one by one; NULL at a group and at the end. */
-struct run_at {
-    const struct work *work;
-    int i;
-};
-
-static const struct run *next_run(struct run_at *at)
+/* The first runs of a list of work, of so many stitches, as work of their own. */
+static struct work *first_runs(struct eval *eval, const struct work *from, long long length)
 {
-    while (at->work && at->work->run && at->i == at->work->nruns)
-        *at = (struct run_at){at->work->next, 0};
-    return at->work && at->work->run ? &at->work->run[at->i++] : NULL;
+    struct work *work = arena_new(eval->arena, struct work);
+
+    *work = (struct work){.span = from->span, .n = 1, .length = length};
+    for (; from && length > 0; from = from->next) {
+        struct run *run = arena_array(eval->arena, struct run, (size_t)(work->nruns + from->nruns));
+
+        if (work->nruns)
+            memcpy(run, work->run, (size_t)work->nruns * sizeof *run);
+        work->run = run;
+        for (int i = 0; i < from->nruns && length > 0; i++) {
+            run[work->nruns++] = from->run[i];
+            length -= from->run[i].length;
+        }
+    }
+    return work;
 }
 
-/* "ending last rep k2": what stands there is how the repeat begins. */
-static bool check_last_repeat(struct eval *eval, const struct work *work, struct span until)
+static long long length_of(const struct work *work)
 {
-    struct run_at first = {work->child, 0}, end = {work->next, 0};
-    const struct run *a = next_run(&first), *b = next_run(&end);
-    bool cut;
+    long long length = 0;
 
-    for (; a && b && a->stitch == b->stitch && a->length == b->length; b = next_run(&end))
-        a = next_run(&first);
-    cut = a && b && a->stitch == b->stitch && b->length < a->length && !next_run(&end);
-    if (!end.work && (!b || cut))
+    for (; work; work = work->next)
+        length += work->length * work->n;
+    return length;
+}
+
+/* "ending last rep k2": the last repeat goes on up to there. */
+static bool end_last_repeat(struct eval *eval, struct work *work, struct span until)
+{
+    int from = 0;
+    long long stop;
+    struct work *begin;
+
+    if (!work->next)
         return true;
-    diag_error(eval->diag, CODE_ROW_REPEAT, until, "how the last repeat ends can be read in two ways");
-    diag_hint(eval->diag, "write what follows the whole repeats: `rep from * to last 2 sts, k2`");
-    return false;
+    stop = work_stop(work, &from);
+    if (stop >= 0 && from == 1)
+        return true;
+    if (stop < 0 || work_stop(work, &from) >= 0) {
+        diag_error(eval->diag, CODE_ROW_REPEAT, until, "how the last repeat ends can be read in two ways");
+        diag_hint(eval->diag, "write what follows the whole repeats: `rep from * to last 2 sts, k2`");
+        return false;
+    }
+    begin = first_runs(eval, work->child, stop - length_of(work->next));
+    begin->next = work->next;
+    work->next = begin;
+    work->ending = false;
+    return true;
 }
 
 bool lower_items(struct eval *eval, struct where where, const struct item *item, struct work **first)
@@ -186,5 +220,5 @@ bool lower_items(struct eval *eval, struct where where, const struct item *item,
         if (*first)
             first = &(*first)->next;
     }
-    return good && (!repeat || check_last_repeat(eval, repeat, until));
+    return good && (!repeat || end_last_repeat(eval, repeat, until));
 }

@@ -147,6 +147,8 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token IN_FABRIC        "'in' or 'of'"
 %token <side> ROW       "'row'"
 %token <side> ROW_WORD  "'rows'"
+%token NEXT_ROWS        "'next' so many rows"
+%token RIDGES           "'ridges'"
 %token <all> ALL        "'all rows'"
 %token <side> SIDE      "RS or WS"
 %token <all> AND_ALL    "'and all rows'"
@@ -399,6 +401,8 @@ row_statement: row_head ':' row_body    { $$ = stmt_row(parse, @$, syntax_row(pa
 row_head:
   ROW row_sides                         { $$ = syntax_head(parse, $ROW, $2, NULL); }
 | ROW row_sides parts                   { $$ = syntax_head(parse, $ROW, $2, $parts.first); }
+| NEXT_ROWS count more ROW_WORD row_sides
+                                        { $$ = syntax_head(parse, $ROW_WORD, SIDE_OPEN, NULL); $$.count = $count; $$.starting = $row_sides; }
 | SIDE ROW parts                        { $$ = syntax_head(parse, $ROW, $SIDE, $parts.first); }
 | ALL                                   { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, NULL, $ALL.kind)); }
 | SETUP row_sides                       { $$ = syntax_head(parse, $SETUP, $2, NULL); $$.setup = true; }
@@ -440,7 +444,6 @@ row_body:
 | AS_ROW parts times                    { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first, .times = $times.n}; }
 | AS_NTH_ROW                            { $$ = (struct row){.body = BODY_AS_ROW, .reference = ast_row_numbers(parse, @1, expr_number(parse, @1, $1.value, 0), NULL, ALL_NONE)}; }
 | FABRIC                                { $$ = (struct row){.body = BODY_FABRIC, .fabric = $1}; }
-| AS_BELOW                              { $$ = (struct row){.body = BODY_AS_BELOW, .opposite = $1}; }
 ;
 
 elements:
@@ -461,6 +464,8 @@ items:
 ;
 item:
   NAME                                  { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
+| AS_BELOW                              { $$ = item_below(parse, @$, $1, (struct until){UNTIL_FIT, NULL, @1}); }
+| AS_BELOW position                     { $$ = item_below(parse, @$, $1, $position); }
 | NAME position                         { $$ = item_stitch(parse, @$, $1, NULL, $position); }
 | NAME TWICE                            { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, expr_number(parse, @2, $2.value, 0), @2}); }
 | NAME STS                              { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
@@ -563,6 +568,7 @@ work_statement:
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
 | WORK count more ROW_WORD in FABRIC starting
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
+| WORK count more RIDGES starting       { $$ = stmt_row(parse, @$, syntax_ridges(parse, @$, $count, $starting)); }
 | WORK in FABRIC UNTIL_ROWS count ROW_WORD
                                         { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN))); }
 | WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN)); }

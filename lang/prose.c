@@ -251,6 +251,22 @@ bool prose_row_is_named(const char *text)
     return is_rows_word(text) && *skip_blanks(text + word_length(text)) == ':';
 }
 
+bool prose_row_word(const char *text)
+{
+    return is_one_of(text, statement_word, nstatement_words) || is_rows_word(text);
+}
+
+bool prose_rows_follow(const char *text)
+{
+    const char *behind = *text == '{' ? text + strcspn(text, "}\r\n") : behind_number(text);
+
+    if (behind && *behind == '}')
+        behind = skip_blanks(behind + 1);
+    if (behind && is_word(behind, "more"))
+        behind = skip_blanks(behind + 4);
+    return behind && is_rows_word(behind);
+}
+
 bool prose_row_follows(const char *text)
 {
     return is_rows_word(text) && isdigit((unsigned char)*skip_blanks(text + word_length(text)));
@@ -490,6 +506,23 @@ static int block_length(const char *text, const char **end)
     return n;
 }
 
+/* `Work 4 (6, 8) rows`: reports it. */
+static bool has_sizes(struct scanner *scanner, struct span line)
+{
+    static const char *const word[] = {"row", "rows", "rnd", "rnds", "round", "rounds", "times", "more"};
+    const char *text = scanner->parse->text;
+
+    for (unsigned at = line.start; at < line.end; at++) {
+        size_t close = strcspn(text + at, ")]\r\n");
+
+        if (strchr("([", text[at]) && strchr(")]", text[at + close]) && text[at + close] &&
+            is_one_of(skip_blanks(text + at + close + 1), word, sizeof word / sizeof *word) &&
+            scanner_sizes(scanner, (struct span){line.source, at, at + 1}))
+            return true;
+    }
+    return false;
+}
+
 bool scanner_prose(struct scanner *scanner)
 {
     struct parse *parse = scanner->parse;
@@ -507,6 +540,9 @@ bool scanner_prose(struct scanner *scanner)
     }
     if (!prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text))
         return false;
+
+    if (scanner->begun && has_sizes(scanner, span))
+        return true;
 
     /* An instruction is none, once there is a pattern. */
     if (scanner->begun && refused_sentence(parse->diag, span))

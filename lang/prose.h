@@ -25,6 +25,8 @@ bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */
 bool prose_row_is_named(const char *text);          /* "row:" */
 bool prose_row_follows(const char *text);           /* "row 1" */
+bool prose_row_word(const char *text);              /* "row", "rounds", or a statement's word */
+bool prose_rows_follow(const char *text);           /* "3 rows", "{n} more rows" */
 bool prose_is_remark(const char *text);             /* "(set-up row):": words before a row's colon */
 bool prose_pattern_follows(const char *text);       /* a row with its name, a cast-on, a multiple */
 

@@ -118,6 +118,76 @@ static long long length_behind(const struct work *work)
     return length;
 }
 
+/* The runs of a list of work one by one; NULL at anything else, and at the end. */
+struct run_at {
+    const struct work *work;
+    int i;
+};
+
+static const struct run *next_run(struct run_at *at)
+{
+    while (at->work && at->work->run && at->i == at->work->nruns)
+        *at = (struct run_at){at->work->next, 0};
+    return at->work && at->work->run && fixed_length(at->work) == at->work->length ? &at->work->run[at->i++] : NULL;
+}
+
+/* Whether `end` is how a repeat goes on from a place; its last run may be cut. */
+static bool goes_on_as(struct run_at repeat, struct run_at end)
+{
+    const struct run *a = next_run(&repeat), *b = next_run(&end), *next;
+
+    for (; a && b && a->stitch == b->stitch; a = next_run(&repeat), b = next) {
+        next = next_run(&end);
+        if (!next)
+            return !end.work && b->length <= a->length;
+        if (a->length != b->length)
+            return false;
+    }
+    return false;
+}
+
+long long work_stop(const struct work *repeat, int *from)
+{
+    struct run_at at = {repeat->child, 0}, here = at;
+    const struct run *run;
+    long long before = 0;
+
+    for (int i = 0; (run = next_run(&at)); i++, here = at) {
+        if (i >= *from && goes_on_as(here, (struct run_at){repeat->next, 0})) {
+            *from = i + 1;
+            return before + length_behind(repeat);
+        }
+        before += run->length;
+    }
+    return -1;
+}
+
+/* A repeat whose last time stops short, where that makes the width; NULL: none. *stop: its stitches then. */
+static struct work *stops_short(const struct row_text *row, long long width, long long *stop)
+{
+    struct work *work = row->work;
+    int from = 0;
+
+    for (; work && fixed_length(work) >= 0; work = work->next)
+        width -= fixed_length(work);
+    if (!work || !work->ending)
+        return NULL;
+    while ((*stop = work_stop(work, &from)) >= 0)
+        if (width >= *stop && (width - *stop) % work->length == 0)
+            return work;
+    return NULL;
+}
+
+static void warn_stop(struct diag *diag, struct work *work, long long stop)
+{
+    if (work->told)
+        return;
+    work->told = true;
+    diag_warning(diag, CODE_LAST_REPEAT, work->span, "this comes out where the last repeat stops short, after %lld of its %lld stitches", stop,
+                 work->length);
+    diag_hint(diag, "`ending last rep ..` says it");
+}
+
 static bool open_end(struct diag *diag, const struct work *work, long long *left)
 {
     *left = work->until == WORK_FIT ? length_behind(work) : work->n;
@@ -382,6 +452,8 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
     const char *left = who_left(diag->arena, from, before, width);
     stitch_id *to = worked, *end = worked + width;
     bool either = false;
+    struct work *short_one = NULL;
+    long long stop;
     struct fit fit;
 
     if (row->cut)
@@ -399,8 +471,12 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
         if (!row_fit(diag, row, &fit))
             return false;
         if (!fit_has(&fit, width)) {
-            misfit(diag, row, &fit, width, left);
-            return false;
+            short_one = stops_short(row, width, &stop);
+            if (!short_one) {
+                misfit(diag, row, &fit, width, left);
+                return false;
+            }
+            warn_stop(diag, short_one, stop);
         }
     }
     if (row->check >= 0 && row->check != width) {
@@ -413,7 +489,9 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
     for (const struct work *work = row->work; work; work = work->next) {
         long long n = work->n;
 
-        if (work->until == WORK_EITHER)
+        if (work == short_one)
+            n = (end - to) / work->length + 1;
+        else if (work->until == WORK_EITHER)
             n = reading_that_fits(row, work, width);
         else if (work->until == WORK_LAST)
             n = (end - to - work->n) / work->length;

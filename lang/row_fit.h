@@ -13,6 +13,10 @@ bool work_measure(struct diag *, struct work *, long long *length);
 /* False after an error: the text contradicts itself. */
 bool row_fit(struct diag *, const struct row_text *, struct fit *);
 
+/* Where what follows a repeat is how it goes on from one of its runs: the repeat is then worked so many
+ * stitches and stops. Looks from the run *from on, and moves it behind; -1: nowhere. */
+long long work_stop(const struct work *repeat, int *from);
+
 /* Widths that fit both; false where there are none. */
 bool fit_join(const struct fit *, const struct fit *, struct fit *both);
 bool fit_has(const struct fit *, long long width);

@@ -157,7 +157,7 @@ static void put_group(struct writer *w, const struct item *item)
 /* A line that begins with a statement's word would be one. */
 static bool may_begin_line(const struct item_more *item)
 {
-    size_t letters = item->name ? strcspn(item->name, "0123456789") : 0;
+    size_t letters = item->name ? strcspn(item->name, "0123456789 ") : 0;
 
     for (int i = 0; i < nstatement_words && letters; i++)
         if (strncasecmp(item->name, statement_word[i], letters) == 0 && !statement_word[i][letters])

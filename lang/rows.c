@@ -498,17 +498,44 @@ bool rows_fit(const struct row_list *list, struct fit *fit)
     return true;
 }
 
+bool rows_one_repeat(const struct row_list *list, const struct fit *all)
+{
+    struct fit row;
+
+    for (int i = 0; i < list->norder; i++) {
+        const struct row_text *text = list->order[i];
+
+        if (text->work && !text->cut && row_fit(list->diag, text, &row) && row.multiple == all->multiple)
+            return true;
+    }
+    return false;
+}
+
 /* ---- drawing ---- */
 
-/* What the right side shows of a row in working order. */
+/* What the right side shows of a row in working order; `ws`: of each stitch its other face. */
 static void draw_row(stitch_id *cell, const stitch_id *worked, int width, enum side side, const stitch_id *ws)
 {
-    if (side == SIDE_RS)
-        for (int x = 0; x < width; x++)
-            cell[x] = worked[width - 1 - x];
-    else
-        for (int x = 0; x < width; x++)
-            cell[x] = ws[worked[x]];
+    for (int x = 0; x < width; x++) {
+        stitch_id stitch = worked[side == SIDE_RS ? width - 1 - x : x];
+
+        if (stitch >= STITCH_OTHER)
+            cell[x] = stitch == STITCH_SAME ? cell[x - width] : ws[cell[x - width]];
+        else
+            cell[x] = side == SIDE_RS ? stitch : ws[stitch];
+    }
+}
+
+/* Whether some of the stitches worked depend on the row below. */
+static bool has_below(const stitch_id *worked, int width)
+{
+    return memchr(worked, STITCH_SAME, (size_t)width) || memchr(worked, STITCH_OTHER, (size_t)width);
+}
+
+static bool nothing_below(struct row_list *list, const struct row_text *text)
+{
+    diag_error(list->diag, CODE_ROW_REFERENCE, text->span, "there is no row below the first");
+    return false;
 }
 
 const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from,
@@ -538,7 +565,7 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             continue;
         }
         if ((text->as_below || text->as_opposite) && i == 0) {
-            diag_error(list->diag, CODE_ROW_REFERENCE, text->span, "there is no row below the first");
+            nothing_below(list, text);
             return NULL;
         }
         if (text->as_opposite) {
@@ -552,9 +579,16 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             struct row_text here = *text;
 
             here.work = side == SIDE_WS && text->on_ws ? text->on_ws : text->work;
-            good &= row_work(list->diag, &here, width, from, before, worked);
-            draw_row(to, worked, width, side, ws);
-            text->drawn[side] = i + 1;
+            if (!row_work(list->diag, &here, width, from, before, worked)) {
+                good = false;
+            } else if (!has_below(worked, width)) {
+                draw_row(to, worked, width, side, ws);
+                text->drawn[side] = i + 1;
+            } else if (i > 0 && good) {
+                draw_row(to, worked, width, side, ws);
+            } else if (i == 0) {
+                good = nothing_below(list, text);
+            }
         }
         before = text;
     }

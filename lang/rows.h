@@ -19,6 +19,9 @@ enum work_until {
     WORK_FIT            /* as often as leaves room for what follows */
 };
 
+/* In work, not in grids: what shows the same as the stitch below, or its other face. */
+enum { STITCH_SAME = 255, STITCH_OTHER = 254 };
+
 /* So many stitches of a kind. */
 struct run {
     unsigned  length;
@@ -34,6 +37,8 @@ struct work {
     long long       length;     /* stitches of one pass */
     enum work_until until;
     long long       n;
+    bool            ending;     /* WORK_FIT: what follows may be the end of the last time, */
+    bool            told;       /* which was said */
     struct work    *next;
 };
 
@@ -116,6 +121,9 @@ bool rows_good(const struct row_list *);
 
 bool rows_round(const struct row_list *);
 int rows_count(const struct row_list *);
+
+/* Whether one row alone says how the widths repeat that all fit. */
+bool rows_one_repeat(const struct row_list *, const struct fit *);
 
 /* The widths all rows fit; reports rows that contradict each other. */
 bool rows_fit(const struct row_list *, struct fit *);

@@ -57,6 +57,13 @@ bool scanner_closes_group(const struct scanner *scanner)
     return scanner->previous == ')' || scanner->previous == ']' || scanner->previous == TOKEN_STAR;
 }
 
+bool scanner_closes_repeat(const struct scanner *scanner)
+{
+    int previous = scanner->previous;
+
+    return previous == TOKEN_REP_FROM || previous == TOKEN_REP || (previous == TOKEN_STAR && !scanner->star);
+}
+
 bool scanner_in_row_head(const struct scanner *scanner)
 {
     return scanner->statement == TOKEN_ROW || scanner->statement == TOKEN_ALL || scanner->statement == TOKEN_SETUP ||
@@ -422,6 +429,48 @@ int scanner_character(struct scanner *scanner, struct span span)
         diag_error(diag, CODE_CHARACTER, span, "the character '%.*s' has no meaning here",
                    (int)(span.end - span.start), source->text + span.start);
     return TOKEN_KNIT_error;
+}
+
+/* The bytes of `(5, 6)`, `[5:6:7]`, `(5, 6 sts)`; 0: no numbers. *n: how many. */
+static size_t sizes_length(const char *text, int *n)
+{
+    const char *at = text + 1, *close;
+
+    for (*n = 0; isdigit((unsigned char)*(at += strspn(at, " \t"))); ++*n) {
+        at += strspn(at, "0123456789");
+        at += strspn(at, " \t");
+        if (!strchr(",:/-", *at) || !*at) {
+            ++*n;
+            break;
+        }
+        at++;
+    }
+    close = at + strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ \t.");
+    if (*close != (*text == '(' ? ')' : ']') || (*n == 1 && close > at))
+        return 0;
+    return *n ? (size_t)(close + 1 - text) : 0;
+}
+
+bool scanner_sizes(struct scanner *scanner, struct span bracket)
+{
+    const char *text = scanner->parse->text + bracket.start, *behind;
+    unsigned at = bracket.start;
+    int n;
+    size_t length = strchr("([", *text) ? sizes_length(text, &n) : 0;
+
+    while (at > 0 && scanner->parse->text[at - 1] == ' ')
+        at--;
+    if (!length || at == 0 || !isdigit((unsigned char)scanner->parse->text[at - 1]))
+        return false;
+
+    /* One number alone may be the row's count, which ends it. */
+    behind = text + length + strspn(text + length, " \t");
+    if (n == 1 && !isalnum((unsigned char)*behind) && *behind != ',')
+        return false;
+    bracket.end = bracket.start + (unsigned)length;
+    diag_error(scanner->parse->diag, CODE_MANY_SIZES, bracket, "the numbers of several sizes: which is to be knitted is open");
+    diag_hint(scanner->parse->diag, "keep the number of one size, and leave the brackets out");
+    return true;
 }
 
 /* ---- brackets ---- */

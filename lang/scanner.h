@@ -98,6 +98,12 @@ int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);
 void scanner_all(KNIT_STYPE *, const char *text);
 void scanner_following(KNIT_STYPE *, const char *text);
 
+/* Whether a bracket here holds the numbers of further sizes, `4 (5, 6) times`: reports it. */
+bool scanner_sizes(struct scanner *, struct span bracket);
+
+/* Whether what was read last ends a repeat: its second star, or `rep from *`. */
+bool scanner_closes_repeat(const struct scanner *);
+
 /* `4 k`: a name. */
 int scanner_turned(struct scanner *, KNIT_STYPE *, const char *text);
 

@@ -117,6 +117,15 @@ static void star_is_left(struct parse *parse, struct span span)
     diag_hint(parse->diag, "`*k2, p2; rep from * to end`, or to the last stitches: `rep from * to last 2 sts, k2`");
 }
 
+/* `in rib`, without its numbers. */
+static bool names_rib(struct span span)
+{
+    size_t length = span.end - span.start;
+    const char *text = span.source->text + span.start;
+
+    return (length == 3 || length == 7) && strncasecmp(text, "ribbing", length) == 0;
+}
+
 void syntax_error(struct parse *parse, struct span span, const char *found, const char *const *expected,
                   int n)
 {
@@ -150,7 +159,10 @@ void syntax_error(struct parse *parse, struct span span, const char *found, cons
                    found_text(parse, span, found));
     else
         diag_error(parse->diag, CODE_SYNTAX, span, "did not expect %s here", found_text(parse, span, found));
-    diag_did_you_mean(parse->diag, syntax_meant(parse, span));
+    if (names_rib(span))
+        diag_hint(parse->diag, "which rib this is: `Work 4 rows in k2, p2 rib`");
+    else
+        diag_did_you_mean(parse->diag, syntax_meant(parse, span));
 }
 
 int syntax_unknown_word(struct parse *parse, struct span span, const char *expected)
@@ -282,6 +294,14 @@ struct row syntax_fabric(struct span all, struct fabric fabric, struct expr *cou
                         .fabric = fabric, .starting = starting};
 }
 
+struct row syntax_ridges(struct parse *parse, struct span all, struct expr *count, enum side starting)
+{
+    struct expr *two = expr_number(parse, count->span, 2, 0);
+    struct expr *rows = expr_operation(parse, EXPR_BINARY, count->span, OP_MULTIPLY, count, two, NULL);
+
+    return syntax_fabric(all, (struct fabric){.kind = FABRIC_GARTER}, rows, SIDE_OPEN, starting);
+}
+
 struct row syntax_total(struct row row)
 {
     row.total = true;
@@ -309,10 +329,23 @@ static void check_times(struct parse *parse, const struct item *first)
     }
 }
 
+/* `knit the knits and purl the purls`, and no more. */
+static bool is_whole_below(const struct item *item)
+{
+    return item && !item->next && item_is_below(item) &&
+           (item->more->until.kind == UNTIL_FIT || item->more->until.kind == UNTIL_END);
+}
+
 struct row syntax_row(struct parse *parse, struct row head, struct span head_span, struct row body, struct span body_span)
 {
     check_times(parse, body.item);
     body.item = repeat_to_end(parse, body.item);
+    if (is_whole_below(body.item)) {
+        body.body = BODY_AS_BELOW;
+        body.opposite = body.item->more->name == item_opposite;
+    }
+    body.count = head.count;
+    body.starting = head.starting;
     body.setup = head.setup;
     body.round = head.round;
     body.side = head.side;

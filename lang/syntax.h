@@ -26,6 +26,7 @@ struct row syntax_head(struct parse *, enum side round, enum side, struct row_nu
 struct row syntax_plain_rows(struct parse *, struct span, struct span word, const char *stitch, struct expr *count,
                              enum side round);
 struct row syntax_fabric(struct span, struct fabric, struct expr *count, enum side round, enum side starting);
+struct row syntax_ridges(struct parse *, struct span all, struct expr *count, enum side starting);
 struct row syntax_total(struct row);                                /* so many in all */
 struct expr *syntax_two_rows(struct parse *, struct span);          /* how many is not said: warns */
 

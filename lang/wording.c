@@ -8,10 +8,12 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/prose.h"
+
 /* Words are separated by one blank, for any blanks or a line end of the text. `a|b`: one of
  * them; `?` behind: or nothing; `#`: a number, `~` the sign #; `=` before: stays as it is, the others make
  * room for the plain wording. `@` begins a phrase that stands behind a stitch: knit, p; `<` one
- * that stands on one line. */
+ * that stands on one line; `^` one that begins a line. */
 static const struct phrase {
     const char *words, *plain;
 } phrases[] = {
@@ -57,7 +59,7 @@ static const struct phrase {
     {"@ a =row|round|rnd", "1"},
     {"=work a =row|round|rnd", "1"},
     {"=row|rows|round|rounds|rnd|rnds number|no.|no|nr.|nr|~ =#", ""},
-    {"=# above", ""},
+    {"=# above|again", ""},
     {"step =# =:|.|)", ""},
     {"< pattern|patt|pat =row|rows|round|rounds|rnd|rnds =#", ""},
     {"=repeat|rep rows|rounds|rnds =until|till|to|as", "them"},
@@ -69,9 +71,15 @@ static const struct phrase {
 
     {"=work|cont|continue|knit even|straight =for =# =rows|rounds|rnds", ""},
     {"=# =row|rows|round|rounds|rnd|rnds , and|then? then? =knit|purl|k|p|work =#", "."},
-    {"=# again", ""},
     {"as given? above|before", ""},
     {"and then? =cast|bind =off", "."},
+
+    /* the next rows */
+    {"^ for|on|over the? next =# =rows|rounds|rnds ,|:", "next"},
+    {"< =work|knit|purl|k|p the? next =# =rows|rounds|rnds", ""},
+    {"< next =# =rows|rounds|rnds :|,? work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work"},
+    {"< next row|round|rnd :|, work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work 1 row"},
+    {"< work|knit|make =# garter? =ridge|ridges", "work"},
 
     /* widths */
     {"multiples of", "multiple of"},
@@ -81,6 +89,10 @@ static const struct phrase {
     /* counts */
     {"=# =sts|stitches in? total|altogether", ""},
     {"=# =sts|stitches on the? needle|needles", ""},
+
+    /* the last repeat */
+    {"=end|ends|ending|finish|finishing =the? =last =rep|repeat after|at|on", ""},
+    {"last rep|repeat ends|ending with|at|after|in?", "end last rep"},
 
     /* line ends within */
     {"=# =more =times", ""},
@@ -182,6 +194,14 @@ static bool behind_stitch(const char *text, size_t at)
     return end > at && one_of("knit|k|purl|p", 13, text + at) == end - at;
 }
 
+/* Whether nothing but blanks and marks of a list stands before, on the line. */
+static bool begins_line(const char *text, size_t at)
+{
+    while (at > 0 && strchr(" \t*-", text[at - 1]))
+        at--;
+    return at == 0 || strchr("\r\n", text[at - 1]);
+}
+
 static bool breaks(const char *text, const struct found *found)
 {
     size_t start = found->start[0], length = found->end[found->n - 1] - start;
@@ -243,7 +263,7 @@ static void index_phrases(unsigned long long first[256])
 {
     memset(first, 0, 256 * sizeof *first);
     for (int i = 0; i < PHRASES; i++) {
-        const char *words = phrases[i].words + (strchr("@<", *phrases[i].words) ? 2 : 0);
+        const char *words = phrases[i].words + (strchr("@<^", *phrases[i].words) ? 2 : 0);
 
         for (bool more = true; more;) {
             size_t length = strcspn(words, " ");
@@ -283,10 +303,10 @@ static void put_phrase(struct wording *w, size_t at, unsigned long long candidat
     for (; candidates; candidates &= candidates - 1) {
         int i = __builtin_ctzll(candidates);
         char mark = *phrases[i].words;
-        const char *words = phrases[i].words + (mark == '@' || mark == '<' ? 2 : 0);
+        const char *words = phrases[i].words + (strchr("@<^", mark) ? 2 : 0);
 
         found.n = 0;
-        if (mark == '@' && !behind_stitch(w->text, at))
+        if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)))
             continue;
         if (match(words, w->text, at, &found) && !(mark == '<' && breaks(w->text, &found)) && changes(w->text, &found) &&
             put_plain(own_text(w), &found, phrases[i].plain))
@@ -301,6 +321,69 @@ static void put_rib(struct wording *w, size_t at, size_t length)
     text[0] = text[length - 1] = ' ';
     for (size_t i = 0; i < length; i++)
         text[i] = text[i] == '.' ? ',' : text[i];
+}
+
+/* ---- signs ---- */
+
+/* How long `Scarf #1:` is at the beginning of a line, where a part of the pattern follows it; or 0. */
+static size_t title_length(const char *text)
+{
+    size_t at = 0, words = 0, n;
+
+    for (; isalpha((unsigned char)text[at]); at += strspn(text + at, " ."), words++) {
+        if (prose_row_word(text + at))
+            return 0;
+        while (isalpha((unsigned char)text[at]))
+            at++;
+    }
+    at += text[at] == '#';
+    n = strspn(text + at, "0123456789");
+    if (!words || words > 3 || !n || text[at + n] != ':')
+        return 0;
+    at += n + 1;
+    return prose_pattern_follows(text + at + strspn(text + at, " \t")) ? at : 0;
+}
+
+/* Where the sign + or # stands that `rep from +` names; or 0. */
+static size_t named_sign(const char *text)
+{
+    static const char *const phrase[] = {"rep|repeat|rpt", "from|between|bet|btw", "the"};
+    size_t at = 0;
+
+    for (int i = 0; i < 3; i++) {
+        size_t n = one_of(phrase[i], strlen(phrase[i]), text + at);
+
+        if (!n && i == 0)
+            return 0;
+        at += n + strspn(text + at + n, " \t");
+    }
+    return strchr("+#", text[at]) && text[at] && !isalnum((unsigned char)text[at + 1]) ? at : 0;
+}
+
+/* Puts stars for the signs of `+k2, p2; rep from +`, where the row has one or a pair of them and no star. */
+static void put_stars(struct wording *w, size_t rep)
+{
+    size_t sign = rep + named_sign(w->text + rep), first = 0, to = sign + 1, word;
+    char c = w->text[sign];
+    int n = 0;
+
+    for (size_t at = rep; at > 0 && !strchr(":{}", w->text[at - 1]); at--) {
+        if (w->text[at - 1] == '*')
+            return;
+        if (w->text[at - 1] == c) {
+            first = at - 1;
+            n++;
+        }
+    }
+    if (n < 1 || n > 2 || !strchr("kKpP([", w->text[skip(w->text, first + 1)]))
+        return;
+    to += strspn(w->text + to, " \t");
+    word = one_of("to|and|-", 8, w->text + to);
+    to += word + strspn(w->text + to + word, " \t");
+    to = word && w->text[to] == c ? to : sign;
+    for (char *text = own_text(w); first <= to; first++)
+        if (text[first] == c)
+            text[first] = '*';
 }
 
 /* Behind a text in quotes that begins here; inches are none. */
@@ -326,6 +409,14 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         }
         if (c == '(' && rib_length(w.text + at))
             put_rib(&w, at, rib_length(w.text + at));
+        if (at == 0 || strchr("\r\n", w.text[at - 1])) {
+            size_t title = title_length(w.text + at);
+
+            if (title)
+                memset(own_text(&w) + at, ' ', title);
+        }
+        if (strchr("rR", c) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && named_sign(w.text + at))
+            put_stars(&w, at);
         if (first[c] && (!isalnum(c) || at == 0 || !isalnum((unsigned char)w.text[at - 1])))
             put_phrase(&w, at, first[c]);
         at++;

@@ -59,6 +59,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/prose.knit \
     tests/golden/prose_width.knit \
     tests/golden/repeat_no_count.knit \
+    tests/golden/last_repeat.knit \
     tests/golden/refused.knit \
     tests/golden/second_part.knit \
     tests/golden/rows.knit \
@@ -73,6 +74,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/used_motifs.txt \
     tests/golden/values.knit \
     tests/golden/version.knit \
+    tests/golden/sizes.knit \
     tests/golden/warnings.knit \
     tests/golden/warnings_as_errors.knit \
     tests/golden/windows.knit \
@@ -101,6 +103,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/prose.expected \
     tests/golden/prose_width.expected \
     tests/golden/repeat_no_count.expected \
+    tests/golden/last_repeat.expected \
     tests/golden/refused.expected \
     tests/golden/second_part.expected \
     tests/golden/rows.expected \
@@ -114,6 +117,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/used.expected \
     tests/golden/values.expected \
     tests/golden/version.expected \
+    tests/golden/sizes.expected \
     tests/golden/warnings.expected \
     tests/golden/warnings_as_errors.expected \
     tests/golden/windows.expected
