@@ -78,7 +78,8 @@ struct pattern words_read(struct arena *arena, struct diag *diag, const struct s
     diag_init(&ignored, arena);
     const char *cast_on = "";
     pattern.grid = scene->grid;
-    if (!scene_compile(arena, &ignored, source, NULL)) {
+    const struct scene *said = scene_compile(arena, &ignored, source, NULL);
+    if (!said || said->grid->columns != scene->grid->columns) {
         int n = scene->grid->columns;
         cast_on = arena_printf(arena, "Cast on %d st%s.\n", n, n == 1 ? "" : "s");
         pattern.remark = arena_printf(arena, "how many stitches to cast on is not said; %d is the least the rows fit", n);

@@ -12,6 +12,7 @@
 struct reader {
     struct arena        *arena;
     const struct source *source;
+    const char          *plain;     /* its text as it is read: a # there begins a comment */
     struct tokens        list;
     int                  room;
     unsigned             end;       /* of the token before */
@@ -55,7 +56,7 @@ static int add_gap(struct reader *reader, unsigned end)
     int breaks = 0;
 
     for (unsigned at = reader->end; at < end; at++) {
-        if (text[at] == '#') {
+        if (reader->plain[at] == '#') {
             struct span span = {reader->source, at, comment_end(text, at, end)};
 
             add(reader, (struct token){.kind = TOKEN_COMMENT, .breaks = breaks, .span = span});
@@ -72,10 +73,10 @@ static int add_gap(struct reader *reader, unsigned end)
 static struct span words_in(const struct reader *reader, unsigned start, unsigned end)
 {
     const char *text = reader->source->text;
-    const char *comment = memchr(text + start, '#', end > start ? end - start : 0);
+    const char *comment = memchr(reader->plain + start, '#', end > start ? end - start : 0);
     bool letters = false;
 
-    end = comment ? (unsigned)(comment - text) : end;
+    end = comment ? (unsigned)(comment - reader->plain) : end;
     while (start < end && strchr(" \t\f\v.;,", text[start]))
         start++;
     while (end > start && strchr(" \t\f\v.;,", text[end - 1]))
@@ -141,7 +142,7 @@ struct tokens tokens_read(struct arena *arena, struct names *names, const struct
     struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source,
                           .text = source_plain(arena, source)};
     struct scanner scanner = {.parse = &parse, .at = source_start(source), .start = TOKEN_START_FILE};
-    struct reader reader = {.arena = arena, .source = source, .end = scanner.at, .first = true};
+    struct reader reader = {.arena = arena, .source = source, .plain = parse.text, .end = scanner.at, .first = true};
 
     diag_init(&diag, arena);
     parse.scanner = &scanner;
