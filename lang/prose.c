@@ -506,8 +506,7 @@ static int block_length(const char *text, const char **end)
     return n;
 }
 
-/* `Work 4 (6, 8) rows`: reports it. */
-static bool has_sizes(struct scanner *scanner, struct span line)
+bool prose_sizes(struct scanner *scanner, struct span line)
 {
     static const char *const word[] = {"row", "rows", "rnd", "rnds", "round", "rounds", "times", "more"};
     const char *text = scanner->parse->text;
@@ -541,7 +540,7 @@ bool scanner_prose(struct scanner *scanner)
     if (!prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text))
         return false;
 
-    if (scanner->begun && has_sizes(scanner, span))
+    if (scanner->begun && prose_sizes(scanner, span))
         return true;
 
     /* An instruction is none, once there is a pattern. */

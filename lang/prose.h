@@ -39,6 +39,9 @@ size_t prose_row_count(const char *sentence);
 /* Warns of a row or a cast-on in a line that is taken as text. */
 void prose_warn_hidden(struct scanner *, struct span line);
 
+/* Whether numbers of several sizes stand in a part of a line, `4 (6, 8) rows`: reports them. */
+bool prose_sizes(struct scanner *, struct span);
+
 /* Whether the line that begins here is prose; warns where that is not certain. */
 bool scanner_prose(struct scanner *);
 

@@ -75,7 +75,7 @@ static const struct phrase {
     {"and then? =cast|bind =off", "."},
 
     /* the next rows */
-    {"^ for|on|over the? next =# =rows|rounds|rnds ,|:", "next"},
+    {"^ for|on|over|the|following the? next|following? =# =rows|rounds|rnds ,|:", "next"},
     {"< =work|knit|purl|k|p the? next =# =rows|rounds|rnds", ""},
     {"< next =# =rows|rounds|rnds :|,? work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work"},
     {"< next row|round|rnd :|, work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work 1 row"},
