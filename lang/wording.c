@@ -330,7 +330,7 @@ static size_t title_length(const char *text)
 {
     size_t at = 0, words = 0, n;
 
-    for (; isalpha((unsigned char)text[at]); at += strspn(text + at, " ."), words++) {
+    for (; words < 4 && isalpha((unsigned char)text[at]); at += strspn(text + at, " ."), words++) {
         if (prose_row_word(text + at))
             return 0;
         while (isalpha((unsigned char)text[at]))
@@ -372,10 +372,11 @@ static void put_stars(struct wording *w, size_t rep)
             return;
         if (w->text[at - 1] == c) {
             first = at - 1;
-            n++;
+            if (++n > 2)
+                return;
         }
     }
-    if (n < 1 || n > 2 || !strchr("kKpP([", w->text[skip(w->text, first + 1)]))
+    if (!n || !strchr("kKpP([", w->text[skip(w->text, first + 1)]))
         return;
     to += strspn(w->text + to, " \t");
     word = one_of("to|and|-", 8, w->text + to);
