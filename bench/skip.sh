@@ -39,12 +39,23 @@ cost "$(with_settings "$rib" "springs { stiffness = 1e-4 }")" $one
 row "springs of 1e-4 on all edges" "$plain" "$spent" "$unit"
 cost "$rib" $one -o "obj:$work/rib.obj"
 row "a surface written (OBJ)" "$plain" "$spent" "$unit"
+written=$spent
+cost "$rib" $one -o "obj:$work/rib.obj" --cached
+row "the same run --cached" "$written" "$spent" "$unit"
 cost "$rib" --steps 10 --per-stitch 1
 row "growth in ten steps" "$plain" "$spent" "$unit"
 cost "$scenes/flat.knit" $one
 row "no natural curvature at all" "$plain" "$spent" "$unit"
 cost "$rib" $one --method lbfgs
 row "no factors: plain libLBFGS" "$plain" "$spent" "$unit"
+
+# Stitches that do not change along one side begin bent; one purl in the middle, and they begin flat.
+echo 'swatch above(tile(K, 16, 7), above(beside(tile(K, 8, 1), beside(P, tile(K, 7, 1))), tile(K, 16, 8)))' >"$work/spot.knit"
+echo 'swatch tile(K, 16, 16)' >"$work/plain.knit"
+cost "$work/spot.knit" $one
+flat=$spent
+cost "$work/plain.knit" $one
+row "stripes begin bent" "$flat" "$spent" "$unit"
 
 # The answer without a solve, and one thread against two, on the full Miura of Fig. 3a.
 once "$scenes/flat.knit" -q -o "report:$report" $one

@@ -109,27 +109,12 @@ static int see_program(struct dl_phdr_info *info, size_t size, void *id)
 }
 #endif
 
-static void hash_program(char sha256[FILE_HASH])
-{
-    struct file_log log = {0};
-    FILE *program = fopen("/proc/self/exe", "rb");
-    struct file *hasher = program ? file_hasher(&log) : NULL;
-    char buffer[1 << 15];
-    for (size_t n; hasher && (n = fread(buffer, 1, sizeof buffer, program)) > 0;)
-        file_write(hasher, buffer, n);
-    if (hasher)
-        file_hash(hasher, sha256);
-    if (program)
-        fclose(program);
-    file_log_free(&log);
-}
-
 void build_id(char id[FILE_HASH])
 {
     id[0] = '\0';
 #ifdef HAVE_LINK_H
     dl_iterate_phdr(see_program, id);
 #endif
-    if (!id[0])
-        hash_program(id);
+    if (!id[0] && !file_hash_path("/proc/self/exe", id))
+        id[0] = '\0';
 }

@@ -14,7 +14,8 @@ const struct command command_table[] = {
      "keeps the growth steps that are complete. `weft FILE` is the same.\n"
      "A manifest beside the outputs says how they were made; with --from such a\n"
      "manifest the run is repeated elsewhere and its outputs are compared. --resume\n"
-     "goes on with a run that was stopped or killed.\n"},
+     "goes on with a run that was stopped or killed. --cached goes by the manifest,\n"
+     "too: it skips a run whose script, options and outputs are as they were.\n"},
     {"sweep", "FILE", 1, 1, command_sweep, "run every point of a script's sweep",
      "Runs FILE once for each point of its `sweep`, several at a time, each in a\n"
      "folder of its own below FILE.sweep (or --into DIR), and writes a table of all\n"

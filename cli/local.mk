@@ -2,6 +2,7 @@
 noinst_LIBRARIES += libcli.a
 libcli_a_SOURCES = \
     cli/build.c cli/build.h \
+    cli/cached.c cli/cached.h \
     cli/chart.c \
     cli/check.c \
     cli/checkpoint.c cli/checkpoint.h \
@@ -17,6 +18,7 @@ libcli_a_SOURCES = \
     cli/outputs.c cli/outputs.h \
     cli/params.c \
     cli/progress.c cli/progress.h \
+    cli/recorded.c cli/recorded.h \
     cli/repeat.c cli/repeat.h \
     cli/run.c cli/run.h \
     cli/script.c cli/script.h \

@@ -76,25 +76,27 @@ static void add_command(cJSON *root, const struct run *run, const char *path)
     cJSON *command = cJSON_AddObjectToObject(root, "command");
     cJSON *arguments = cJSON_AddArrayToObject(command, "arguments");
     for (int i = 1; i < o->argc; i++)
-        if (strcmp(o->argv[i], "--resume") != 0)    /* how far it got at first makes no difference */
+        if (strcmp(o->argv[i], "--resume") != 0 && strcmp(o->argv[i], "--cached") != 0)     /* make no difference */
             cJSON_AddItemToArray(arguments, cJSON_CreateString(o->argv[i]));
     add_folder(command, run->into, path);
     if (weft_path)
         json_text(command, "weft_path", weft_path);
-    json_integer(command, "threads", run->record.threads);
+    json_integer(command, "threads", fold_threads(o->threads));
 }
 
-static void add_sources(cJSON *root, struct file_log *log, const struct scene *scene)
+static void add_sources(cJSON *root, const struct scene *scene)
 {
+    struct file_log log = {0};
     cJSON *sources = cJSON_AddArrayToObject(root, "sources");
     for (const struct scene_source *s = scene->source; s < scene->source + scene->nsources; s++) {
         cJSON *source = cJSON_CreateObject();
         char sha256[FILE_HASH];
-        file_hash_text(log, s->text, s->size, sha256);
+        file_hash_text(&log, s->text, s->size, sha256);
         json_text(source, "path", s->path);
         json_text(source, "sha256", sha256);
         cJSON_AddItemToArray(sources, source);
     }
+    file_log_free(&log);
 }
 
 static void add_outputs(cJSON *root, const struct file_log *log)
@@ -111,22 +113,30 @@ static void add_outputs(cJSON *root, const struct file_log *log)
     }
 }
 
-static char *describe(struct run *run, const char *path)
+cJSON *manifest_begin(const struct run *run)
 {
-    struct file_log *log = &run->outputs.log;
+    struct file_log log = {0};
     struct report report = run_report(run);
-    char id[FILE_HASH];
+    char id[FILE_HASH], *path = manifest_path(run->script.scene, ".manifest.json");
     cJSON *root = cJSON_CreateObject();
     json_integer(root, "manifest", MANIFEST_SCHEMA);
     build_describe(root);
     build_id(id);
     json_text(root, "build_id", id);
-    add_command(root, run, path);
-    add_sources(root, log, run->script.scene);
-    report_describe(root, log, &report);
+    add_command(root, run, path ? path : "");
+    add_sources(root, run->script.scene);
+    report_describe(root, &log, &report);
+    file_log_free(&log);
+    free(path);
+    return root;
+}
+
+static char *describe(const struct run *run)
+{
+    cJSON *root = manifest_begin(run);
     json_unsigned(root, "seed", run->seed);
     json_text(root, "status", fold_status_name(run->record.status));
-    add_outputs(root, log);
+    add_outputs(root, &run->outputs.log);
     char *text = cJSON_Print(root);
     cJSON_Delete(root);
     return text;
@@ -135,7 +145,7 @@ static char *describe(struct run *run, const char *path)
 bool manifest_write(struct run *run)
 {
     struct file_log *log = &run->outputs.log;
-    char *path = manifest_path(run->script.scene, ".manifest.json"), *text = path ? describe(run, path) : NULL;
+    char *path = manifest_path(run->script.scene, ".manifest.json"), *text = path ? describe(run) : NULL;
     struct file *file = text ? file_create(log, path) : NULL;
     bool wanted = path;
     if (file) {

@@ -13,6 +13,9 @@ enum { MANIFEST_SCHEMA = 1 };       /* changes when a reader of manifests must *
  * where no output is a plain file.  Free it. */
 char *manifest_path(const struct scene *scene, const char *extension);
 
+/* All that can be said before the fold: without seed, status and outputs.  Delete it. */
+cJSON *manifest_begin(const struct run *run);
+
 /* Writes the manifest after all outputs:
  *   weft ... machine  what ran (build.h), build_id
  *   command           arguments, folder (the working folder, from the manifest's), weft_path, threads

@@ -150,6 +150,7 @@ const struct option option_table[] = {
     {NULL, "--dry-run", NULL, "run", take_flag, NULL, offsetof(struct options, dry_run), "say what would be done, and stop"},
     {NULL, "--no-manifest", NULL, RUN, take_flag, NULL, offsetof(struct options, no_manifest), "no .manifest.json beside what is written"},
     {NULL, "--resume", NULL, "run", take_flag, NULL, offsetof(struct options, resume), "go on where a run was stopped or killed"},
+    {NULL, "--cached", NULL, "run", take_flag, NULL, offsetof(struct options, cached), "fold nothing if all is as the last run left it"},
     {NULL, "--from", "MANIFEST", "run", take_text, NULL, offsetof(struct options, from), "repeat that run, compare what it wrote"},
     {NULL, "--into", "DIR", RUN, take_text, NULL, offsetof(struct options, into), "where --from or a sweep writes"},
     {NULL, "--print", NULL, "sweep", take_flag, NULL, offsetof(struct options, print), "a command for each point, run nothing"},
@@ -347,6 +348,8 @@ static enum status check_command(const struct options *options, const struct par
         return STATUS_USAGE;
     if (options->into && !options->from && command->run != command_sweep)
         return options_wrong(options, "--into goes with --from");
+    if (options->cached && options->no_manifest)
+        return options_wrong(options, "--cached goes by the manifest: --no-manifest does not go with it");
     if (options->noperands < command->least && !options->from)
         return options_wrong(options, "%s wants a FILE", command->name);
     if (options->noperands > command->most)

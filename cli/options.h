@@ -41,7 +41,7 @@ struct options {
     const char *diagnostics;            /* "human", "json" */
     const char *from;                   /* a manifest to repeat, or NULL */
     const char *into;                   /* a folder for what is repeated, or NULL */
-    bool        no_manifest, resume, print, collect;
+    bool        no_manifest, resume, cached, print, collect;
     int         point;                  /* the one of a sweep to run, from 1; 0: all */
 
     int         argc;                   /* the words all of this was made of */

@@ -16,18 +16,16 @@
 #include <unistd.h>
 
 #include "cli/build.h"
-#include "cli/manifest.h"
+#include "cli/recorded.h"
+#include "cli/run.h"
 
 /* A manifest and what follows from it. */
 struct repeat {
     const struct options *options;      /* those of --from */
-    cJSON                *root;
+    struct recorded       recorded;     /* the first run */
     char                  folder[PATH_MAX];     /* the manifest's */
     char                  into[PATH_MAX];
     bool                  temporary;    /* into is ours to remove */
-    char                **argv;         /* the first run's words, then NULL */
-    int                   argc;
-    struct options        first;        /* made of them */
 };
 
 __attribute__((format(printf, 2, 3)))
@@ -44,43 +42,19 @@ static enum status refuse(const struct repeat *r, const char *format, ...)
 
 /* ---- the manifest ---- */
 
-static const char *text_of(const cJSON *object, const char *key)
-{
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-    return cJSON_IsString(item) ? item->valuestring : "";
-}
-
-static const cJSON *command_of(const struct repeat *r)
-{
-    return cJSON_GetObjectItemCaseSensitive(r->root, "command");
-}
-
 static enum status read_manifest(struct repeat *r)
 {
-    struct arena arena = {0};
-    const char *why = "";
-    const struct source *source = source_read(&arena, r->options->from, &why);
-    r->root = source ? cJSON_ParseWithLength(source->text, source->size) : NULL;
-    bool read = source;
-    arena_free(&arena);
-    if (!read)
-        return refuse(r, "cannot be read: %s", why);
-    const cJSON *schema = cJSON_GetObjectItemCaseSensitive(r->root, "manifest");
-    if (!cJSON_IsNumber(schema) || !cJSON_IsArray(cJSON_GetObjectItemCaseSensitive(command_of(r), "arguments")))
-        return refuse(r, "this is no manifest of weft");
-    if (schema->valueint != MANIFEST_SCHEMA)
-        return refuse(r, "this manifest is of another form (%d) than this weft reads (%d)", schema->valueint, MANIFEST_SCHEMA);
-    return STATUS_DONE;
+    return recorded_read(&r->recorded, r->options->from) ? STATUS_DONE : refuse(r, "%s", r->recorded.why);
 }
 
 /* Says of each text of an object where this program's is another. */
 static void compare_texts(const struct repeat *r, const cJSON *now, const char *name)
 {
-    const cJSON *before = cJSON_GetObjectItemCaseSensitive(r->root, name), *item;
+    const cJSON *before = cJSON_GetObjectItemCaseSensitive(r->recorded.root, name), *item;
     cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(now, name))
-        if (strcmp(text_of(before, item->string), item->valuestring) != 0)
+        if (strcmp(recorded_text(before, item->string), item->valuestring) != 0)
             fprintf(stderr, "weft: note: made with %s '%s', this is '%s'; bytes may differ\n", item->string,
-                    text_of(before, item->string), item->valuestring);
+                    recorded_text(before, item->string), item->valuestring);
 }
 
 /* Another program, library or machine need not give the same bytes: said, not refused. */
@@ -90,35 +64,24 @@ static void compare_program(const struct repeat *r)
     cJSON *now = cJSON_CreateObject();
     build_id(id);
     build_describe(now);
-    if (strcmp(text_of(r->root, "build_id"), id) != 0)
+    if (strcmp(recorded_text(r->recorded.root, "build_id"), id) != 0)
         fprintf(stderr, "weft: note: made by another build (weft %s, compiler %s) than this one; bytes may differ\n",
-                text_of(r->root, "weft"), text_of(r->root, "compiler"));
+                recorded_text(r->recorded.root, "weft"), recorded_text(r->recorded.root, "compiler"));
     compare_texts(r, now, "libraries");
     compare_texts(r, now, "machine");
     cJSON_Delete(now);
 }
 
-/* The first run's command line; its words stay the manifest's. */
+/* The first run's command line. */
 static enum status read_command(struct repeat *r)
 {
-    const cJSON *arguments = cJSON_GetObjectItemCaseSensitive(command_of(r), "arguments"), *word;
-    r->argv = calloc((size_t)cJSON_GetArraySize(arguments) + 2, sizeof *r->argv);
-    if (!r->argv)
-        return refuse(r, "out of memory");
-    r->argv[r->argc++] = r->options->argv[0];
-    cJSON_ArrayForEach(word, arguments) {
-        if (!cJSON_IsString(word))
-            return refuse(r, "its command is damaged");
-        r->argv[r->argc++] = word->valuestring;
-    }
-    enum status status = options_parse(&r->first, r->argc, r->argv);
-    if (status != STATUS_DONE || r->first.noperands != 1 || r->first.from)
-        return refuse(r, "its command is damaged");
-    const cJSON *threads = cJSON_GetObjectItemCaseSensitive(command_of(r), "threads");
-    r->first.threads = r->options->threads ? r->options->threads : cJSON_IsNumber(threads) ? threads->valueint : 0;
-    r->first.quiet = true;
-    r->first.no_manifest = true;
-    r->first.resume = false;
+    if (!recorded_parse(&r->recorded, r->options->argv[0]))
+        return refuse(r, "%s", r->recorded.why);
+    struct options *first = &r->recorded.options;
+    first->threads = r->options->threads ? r->options->threads : first->threads;
+    first->quiet = true;
+    first->no_manifest = true;
+    first->resume = first->cached = false;
     return STATUS_DONE;
 }
 
@@ -147,7 +110,8 @@ static int remove_one(const char *path, const struct stat *status, int kind, str
 /* Goes to where the script is: --from FILE's own word, the first run's folder, the manifest's. */
 static enum status find_script(struct repeat *r, const char **script)
 {
-    const char *path = r->first.operand[0], *slash = strrchr(path, '/'), *folder = text_of(command_of(r), "folder");
+    const char *path = r->recorded.options.operand[0], *slash = strrchr(path, '/');
+    const char *folder = recorded_text(recorded_command(&r->recorded), "folder");
     char manifest[PATH_MAX], *end;
     if (r->options->noperands > 0) {
         *script = r->options->operand[0];
@@ -170,12 +134,12 @@ static enum status find_script(struct repeat *r, const char **script)
 /* Is a file number i of the first run's? */
 static enum status compare_source(const struct repeat *r, int i, const char *path, const char *text, size_t size)
 {
-    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->root, "sources");
+    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->recorded.root, "sources");
     struct file_log log = {0};
     char sha256[FILE_HASH];
     file_hash_text(&log, text, size, sha256);
     file_log_free(&log);
-    if (strcmp(sha256, text_of(cJSON_GetArrayItem(sources, i), "sha256")) == 0)
+    if (strcmp(sha256, recorded_text(cJSON_GetArrayItem(sources, i), "sha256")) == 0)
         return STATUS_DONE;
     return refuse(r, "'%s' is not the file the run was made with: its SHA-256 differs", path);
 }
@@ -200,8 +164,8 @@ static enum status compare_sources(const struct repeat *r, const char *script)
     struct script now = {0};
     enum status status = compare_script(r, script);
     if (status == STATUS_DONE)
-        status = script_load(&now, script, &r->first);
-    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->root, "sources");
+        status = script_load(&now, script, &r->recorded.options);
+    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->recorded.root, "sources");
     if (status == STATUS_DONE && now.scene->nsources != cJSON_GetArraySize(sources))
         status = refuse(r, "its script uses other files now");
     for (int i = 0; status == STATUS_DONE && i < now.scene->nsources; i++) {
@@ -214,21 +178,15 @@ static enum status compare_sources(const struct repeat *r, const char *script)
 
 /* ---- the comparison ---- */
 
-static bool is_same(const cJSON *output, const struct file_entry *entry)
-{
-    const char *lasting = text_of(output, "lasting_sha256");
-    return *lasting ? strcmp(entry->lasting, lasting) == 0 : strcmp(entry->sha256, text_of(output, "sha256")) == 0;
-}
-
 /* Says of every output whether it is the same. */
 static enum status compare_outputs(const struct repeat *r, const struct file_log *log)
 {
-    const cJSON *outputs = cJSON_GetObjectItemCaseSensitive(r->root, "outputs"), *output;
+    const cJSON *outputs = cJSON_GetObjectItemCaseSensitive(r->recorded.root, "outputs"), *output;
     int n = cJSON_GetArraySize(outputs), same = 0;
     cJSON_ArrayForEach(output, outputs) {
-        const char *path = text_of(output, "path");
+        const char *path = recorded_text(output, "path");
         const struct file_entry *entry = file_log_find(log, path);
-        bool equal = entry && is_same(output, entry);
+        bool equal = entry && recorded_same(output, entry);
         same += equal;
         if (!equal)
             printf("%s: %s\n", path, entry ? "differs" : "was not written");
@@ -244,7 +202,7 @@ static enum status compare_outputs(const struct repeat *r, const struct file_log
 
 static enum status run_again(const struct repeat *r, const char *script)
 {
-    struct run run = {.options = &r->first, .into = r->into};
+    struct run run = {.options = &r->recorded.options, .into = r->into};
     enum status status = run_script(&run, script);
     if (status == STATUS_DONE || status == STATUS_FAILED)
         status = compare_outputs(r, &run.outputs.log);
@@ -265,8 +223,8 @@ enum status repeat_run(const struct options *options)
         status = make_into(&r);
     if (status == STATUS_DONE)
         status = find_script(&r, &script);
-    if (status == STATUS_DONE && *text_of(command_of(&r), "weft_path"))
-        setenv("WEFT_PATH", text_of(command_of(&r), "weft_path"), 1);
+    if (status == STATUS_DONE && *recorded_text(recorded_command(&r.recorded), "weft_path"))
+        setenv("WEFT_PATH", recorded_text(recorded_command(&r.recorded), "weft_path"), 1);
     if (status == STATUS_DONE)
         status = compare_sources(&r, script);
     if (status == STATUS_DONE) {
@@ -275,8 +233,6 @@ enum status repeat_run(const struct options *options)
     }
     if (r.temporary)
         nftw(r.into, remove_one, 16, FTW_DEPTH | FTW_PHYS);
-    options_free(&r.first);
-    free(r.argv);
-    cJSON_Delete(r.root);
+    recorded_free(&r.recorded);
     return status;
 }

@@ -10,6 +10,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
+#include "cli/cached.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/manifest.h"
@@ -266,6 +267,8 @@ enum status run_script(struct run *run, const char *path)
         note_sweep(run);
     if (status == STATUS_DONE)
         status = outputs_begin(&run->outputs, run->script.scene);
+    if (status == STATUS_DONE && run->options->cached && cached_holds(run))
+        return STATUS_DONE;
     if (status == STATUS_DONE && run->options->dry_run)
         print_plan(run->script.scene, run->options->seeds);
     else if (status == STATUS_DONE)

@@ -396,3 +396,20 @@ void file_hash_text(struct file_log *log, const void *text, size_t size, char sh
     file_write(hasher, text, size);
     file_hash(hasher, sha256);
 }
+
+bool file_hash_path(const char *path, char sha256[FILE_HASH])
+{
+    struct file_log log = {0};
+    FILE *stream = fopen(path, "rb");
+    struct file *hasher = stream ? file_hasher(&log) : NULL;
+    char buffer[1 << 15];
+    for (size_t n; hasher && (n = fread(buffer, 1, sizeof buffer, stream)) > 0;)
+        file_write(hasher, buffer, n);
+    bool read = hasher && !ferror(stream);
+    if (hasher)
+        file_hash(hasher, sha256);
+    if (stream)
+        fclose(stream);
+    file_log_free(&log);
+    return read;
+}

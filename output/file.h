@@ -78,6 +78,9 @@ void file_log_free(struct file_log *log);
 /* Ends a hasher: SHA-256 of its bytes, as hexadecimal digits. */
 void file_hash(struct file *hasher, char sha256[FILE_HASH]);
 
+/* SHA-256 of a file that is there; false, and errno: it cannot be read. */
+bool file_hash_path(const char *path, char sha256[FILE_HASH]);
+
 /* SHA-256 of a text. */
 void file_hash_text(struct file_log *log, const void *text, size_t size, char sha256[FILE_HASH]);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * What cJSON lacks: numbers that read back exactly and text that is always
- * valid, added to a cJSON object. */
+ * valid, added to a cJSON object, and read back. */
 #include "output/json.h"
 
 #include <inttypes.h>
@@ -68,4 +68,36 @@ void json_text(cJSON *object, const char *key, const char *text)
     *to = '\0';
     cJSON_AddStringToObject(object, key, clean);
     free(clean);
+}
+
+/* Where the next number begins, or the end. */
+static const char *next_number(const char *at)
+{
+    for (; *at && !strchr("-0123456789", *at); at++)
+        if (*at == '"')
+            for (at++; *at != '"'; at++)
+                at += *at == '\\';
+    return at;
+}
+
+/* Gives each number in item its own text; at goes through what item was parsed from. */
+static void keep_numbers(cJSON *item, const char **at)
+{
+    cJSON *child;
+    if (cJSON_IsNumber(item)) {
+        const char *from = next_number(*at);
+        size_t length = strspn(from, "+-.0123456789eE");
+        item->valuestring = strndup(from, length);
+        item->type = cJSON_Raw;
+        *at = from + length;
+    }
+    cJSON_ArrayForEach(child, item)
+        keep_numbers(child, at);
+}
+
+cJSON *json_parse(const char *text, size_t size)
+{
+    cJSON *root = cJSON_ParseWithLengthOpts(text, size + 1, NULL, true);
+    keep_numbers(root, &text);
+    return root;
 }

@@ -189,7 +189,7 @@ void report_keep_lasting(cJSON *root)
         cJSON_DeleteItemFromObject(passing[i][0] ? cJSON_GetObjectItem(root, passing[i][0]) : root, passing[i][1]);
 }
 
-static void hash_lasting(struct file_log *log, cJSON *root, char sha256[FILE_HASH])
+void report_hash_lasting(struct file_log *log, cJSON *root, char sha256[FILE_HASH])
 {
     report_keep_lasting(root);
     char *text = cJSON_PrintUnformatted(root);
@@ -217,7 +217,7 @@ bool report_write(struct file_log *log, const char *path, const struct report *r
     add_cost(root, report);
     add_outputs(root, log);
     char *text = cJSON_Print(root);
-    hash_lasting(log, root, lasting);
+    report_hash_lasting(log, root, lasting);
     cJSON_Delete(root);
     if (!text) {
         file_fail(log, "out of memory");

@@ -38,6 +38,9 @@ void report_describe(cJSON *root, struct file_log *log, const struct report *rep
  * script's path, the number of threads. */
 void report_keep_lasting(cJSON *root);
 
+/* The log's lasting hash, of a report that was read by json_parse; takes out of it what does not last. */
+void report_hash_lasting(struct file_log *log, cJSON *root, char sha256[FILE_HASH]);
+
 /* Writes the report; its "outputs" are what log holds so far.  Every number
  * reads back exactly; a value that is not known (no error estimate, not finite)
  * is null.  Apart from "time" and "memory" the bytes depend only on the binary,

@@ -420,12 +420,12 @@ static void close_fold(struct fold *fold)
         fold->kept.d->op->free(fold->kept.d);
 }
 
-static int thread_count(const struct fold_options *options)
+int fold_threads(int asked)
 {
 #ifdef _OPENMP
-    return options->threads > 0 ? options->threads : omp_get_num_procs();
+    return asked > 0 ? asked : omp_get_num_procs();
 #else
-    (void)options;
+    (void)asked;
     return 1;
 #endif
 }
@@ -435,7 +435,7 @@ struct fold_state *fold_run(const struct sheet *sheet, const struct fold_options
 {
     *record = (struct fold_record){.status = FOLD_FAILED, .energy_error = -1, .shape_error = -1};
     struct fold fold = {.sheet = sheet, .observer = observer, .record = record,
-                        .state = MEMORY_ARRAY(struct fold_state, 1), .options = options, .threads = thread_count(options),
+                        .state = MEMORY_ARRAY(struct fold_state, 1), .options = options, .threads = fold_threads(options->threads),
                         .most_factored = options->most_factored ? options->most_factored : FOLD_MOST_FACTORED};
     fold.state->effort = &fold.effort;
     finish_record(&fold, has_curvature(sheet) ? grow_and_refine(&fold) : stay_flat(&fold));

@@ -39,6 +39,9 @@ struct fold_options {
 
 enum { FOLD_MOST_FACTORED = 600000 };
 
+/* The threads a fold takes that is asked for so many, 0 = all processors. */
+int fold_threads(int asked);
+
 /* Folds the sheet.  Prints nothing; what went wrong is record->status and
  * record->remark.  The record is always filled; free with fold_record_free.
  * Returns the final state (free with fold_free), NULL when out of range. */

@@ -1,6 +1,7 @@
 # The command line, from outside: TAP scripts that run the binary.
 cli_tests = \
     tests/cli/bootstrap.sh \
+    tests/cli/cached.sh \
     tests/cli/chart.sh \
     tests/cli/check.sh \
     tests/cli/diagnostics.sh \
