@@ -10,9 +10,9 @@
  * e the excess of the second order (turn_kernel.h).
  *
  * On the grid S = K (x) M + M (x) K, K and M the stiffness and mass of a line of
- * elements.  With K Q = M Q diag(l), Q^T M Q = I for either direction,
- *     S^-1 = (Q (x) Q) diag(1/(l_i + l_j)) (Q (x) Q)^T
- * (Lynch, Rice and Thomas 1964), but for the constants, which stay where they are. */
+ * elements, three diagonals each side.  Across the shorter side K Q = M Q diag(l)
+ * with Q^T M Q = I (Lynch, Rice and Thomas 1964); what is left along the longer one
+ * is a band matrix K + l_i M for each mode i. */
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,28 +29,27 @@ void dgemm_(const char *transa, const char *transb, const int *m, const int *n, 
             const int *ldc);
 void dposv_(const char *uplo, const int *n, const int *columns, double *a, const int *lda, double *b, const int *ldb,
             int *info);
-void dsygv_(const int *type, const char *job, const char *uplo, const int *n, double *a, const int *lda, double *b,
-            const int *ldb, double *w, double *work, const int *lwork, int *info);
+void dsbgv_(const char *job, const char *uplo, const int *n, const int *ka, const int *kb, double *a, const int *lda,
+            double *b, const int *ldb, double *w, double *z, const int *ldz, double *work, int *info);
+void dpbtrf_(const char *uplo, const int *n, const int *k, double *a, const int *lda, int *info);
 
-/* The functions along one direction of the grid. */
-struct line {
-    int     n;
-    double *Q;                  /* (n x n) columns: eigenvectors */
-    double *l;                  /* (n) eigenvalues, rising from 0 */
-};
+enum { REACH = BASIS_LINE - 1, BAND = REACH + 1 };     /* diagonals below the main one; with it */
 
 struct retraction {
     int         gauss;          /* points a side; 0: nothing is made yet */
     double      weight[GAUSS_MAX * GAUSS_MAX];
     double      N[GAUSS_MAX * GAUSS_MAX][D_COUNT][BASIS_MAX];      /* of which D_P and D_Q are used */
-    struct line line[2];        /* x, y */
+    bool        x_is_long;
+    int         across, along;  /* functions of the shorter side's lines and of the longer one's */
+    double     *Q;              /* (across x across) columns: modes */
+    double     *factor;         /* (across x along x BAND) Cholesky factor of each mode's band, 1/L_jj first */
     double     *u, *right;      /* (n) scratch */
-    double     *grid;           /* (2 x 3 x ny x nx) scratch: components on the grid of functions */
+    double     *grid;           /* (2 x 3 x across x along) scratch: components on the grid of functions */
 };
 
-/* K_ab = Int f_a' f_b' and M_ab = Int f_a f_b over elements of length h, by the Gauss rule of the excess: so
- * turning as a whole stays exact. */
-static void line_matrices(const struct basis *basis, int gauss, int elements, double h, int n, double *K, double *M)
+/* K_ab = Int f_a' f_b' and M_ab = Int f_a f_b over elements of length h, (n x BAND) by lower diagonals; by the Gauss
+ * rule of the excess, so that turning as a whole stays exact. */
+static void line_matrices(const struct basis *basis, int gauss, int elements, double h, double *K, double *M)
 {
     double at[GAUSS_MAX], weight[GAUSS_MAX], f[BASIS_LINE][3];
     int step = basis->kind == BASIS_HERMITE ? 2 : 1;
@@ -58,25 +57,64 @@ static void line_matrices(const struct basis *basis, int gauss, int elements, do
     for (int g = 0; g < gauss; g++) {
         int count = basis_line(basis, at[g], f);
         for (int e = 0; e < elements; e++)
-            for (int a = 0; a < count; a++)
-                for (int b = 0; b < count; b++) {
-                    int entry = (step * e + a) * n + step * e + b;
+            for (int b = 0; b < count; b++)
+                for (int a = b; a < count; a++) {
+                    int entry = (step * e + b) * BAND + a - b;
                     K[entry] += weight[g] * f[a][1] * f[b][1] / h;
                     M[entry] += weight[g] * f[a][0] * f[b][0] * h;
                 }
     }
 }
 
-static void line_make(const struct basis *basis, int gauss, int elements, int nodes, double h, struct line *line)
+/* The modes across and their eigenvalues l (across), rising from 0. */
+static void find_modes(struct retraction *r, double *K, double *M, double *l)
 {
-    int n = basis->kind == BASIS_HERMITE ? 2 * nodes : nodes, type = 1, info, nwork = 64 * n;
-    double *M = MEMORY_ARRAY(double, (size_t)n * (size_t)n), *work = MEMORY_ARRAY(double, nwork);
-    *line = (struct line){n, MEMORY_ARRAY(double, (size_t)n * (size_t)n), MEMORY_ARRAY(double, n)};
-    line_matrices(basis, gauss, elements, h, n, line->Q, M);
-    dsygv_(&type, "V", "L", &n, line->Q, &n, M, &n, line->l, work, &nwork, &info);
+    const int n = r->across, reach = REACH, band = BAND;
+    double *work = MEMORY_ARRAY(double, 3 * n);
+    int info;
+    dsbgv_("V", "L", &n, &reach, &reach, K, &band, M, &band, l, r->Q, &n, work, &info);
     assert(info == 0);
-    line->l[0] = 0;
-    free(M), free(work);
+    free(work);
+}
+
+/* K + l_i M along, factored for each mode; the first is pinned at its end: it holds the constants. */
+static void factor_modes(struct retraction *r, const double *K, const double *M, const double *l)
+{
+    const int n = r->along, reach = REACH, band = BAND;
+    for (int i = 0; i < r->across; i++) {
+        double *A = r->factor + (size_t)i * (size_t)n * BAND;
+        int info;
+        for (int k = 0; k < n * BAND; k++)
+            A[k] = K[k] + (i ? l[i] : 0) * M[k];
+        if (i == 0)
+            A[0] *= 2;
+        dpbtrf_("L", &n, &reach, A, &band, &info);
+        assert(info == 0);
+        for (int j = 0; j < n; j++)
+            A[j * BAND] = 1 / A[j * BAND];
+    }
+}
+
+static void make_modes(const struct patch *p, struct retraction *r)
+{
+    int side = p->basis->kind == BASIS_HERMITE ? 2 : 1;
+    r->x_is_long = p->nx > p->ny;
+    r->across = side * (r->x_is_long ? p->my : p->mx);
+    r->along = side * (r->x_is_long ? p->mx : p->my);
+    r->Q = MEMORY_ARRAY(double, (size_t)r->across * (size_t)r->across);
+    r->factor = MEMORY_ARRAY(double, (size_t)r->across * (size_t)r->along * BAND);
+    double *K[2], *M[2], *l = MEMORY_ARRAY(double, r->across);
+    for (int k = 0; k < 2; k++) {
+        bool x = r->x_is_long == k;     /* first across, then along */
+        K[k] = MEMORY_ARRAY(double, BAND * (k ? r->along : r->across));
+        M[k] = MEMORY_ARRAY(double, BAND * (k ? r->along : r->across));
+        line_matrices(p->basis, r->gauss, x ? p->nx : p->ny, x ? p->hx : p->hy, K[k], M[k]);
+    }
+    find_modes(r, K[0], M[0], l);
+    factor_modes(r, K[1], M[1], l);
+    for (int k = 0; k < 2; k++)
+        free(K[k]), free(M[k]);
+    free(l);
 }
 
 /* What belongs to the level; made when first asked for. */
@@ -87,8 +125,7 @@ static struct retraction *prepare(const struct patch *p)
         return r;
     r->gauss = p->nx > 1 && p->ny > 1 ? GAUSS_TURN : GAUSS_MAX;
     patch_tabulate(p, r->gauss, r->weight, r->N);
-    line_make(p->basis, r->gauss, p->nx, p->mx, p->hx, &r->line[0]);
-    line_make(p->basis, r->gauss, p->ny, p->my, p->hy, &r->line[1]);
+    make_modes(p, r);
     r->u = MEMORY_ARRAY(double, p->d.n);
     r->right = MEMORY_ARRAY(double, p->d.n);
     r->grid = MEMORY_ARRAY(double, 2 * p->d.n);
@@ -102,36 +139,51 @@ struct retraction *patch_retraction_make(void)
 
 void patch_retraction_free(struct retraction *r)
 {
-    for (int k = 0; k < 2; k++)
-        free(r->line[k].Q), free(r->line[k].l);
+    free(r->Q);
+    free(r->factor);
     free(r->u);
     free(r->right);
     free(r->grid);
     free(r);
 }
 
-/* a (ny x nx, x fastest) := S^-1 a; b is scratch */
-static void solve_component(const struct line *x, const struct line *y, double *a, double *b)
+/* b (n) := (L L^T)^-1 b.  LAPACK calls the BLAS for every row, which is longer than three multiplications take. */
+static void band_solve(const double (*L)[BAND], int n, double *b)
 {
-    const double one = 1, zero = 0;
-    dgemm_("T", "N", &x->n, &y->n, &x->n, &one, x->Q, &x->n, a, &x->n, &zero, b, &x->n);
-    dgemm_("N", "N", &x->n, &y->n, &y->n, &one, b, &x->n, y->Q, &y->n, &zero, a, &x->n);
-    for (int j = 0; j < y->n; j++)
-        for (int i = 0; i < x->n; i++)
-            a[(size_t)j * (size_t)x->n + (size_t)i] *= i || j ? 1 / (x->l[i] + y->l[j]) : 0;
-    dgemm_("N", "N", &x->n, &y->n, &x->n, &one, x->Q, &x->n, a, &x->n, &zero, b, &x->n);
-    dgemm_("N", "T", &x->n, &y->n, &y->n, &one, b, &x->n, y->Q, &y->n, &zero, a, &x->n);
+    for (int j = 0; j < n; j++) {
+        b[j] *= L[j][0];
+        for (int k = 1; k < BAND && j + k < n; k++)
+            b[j + k] -= L[j][k] * b[j];
+    }
+    for (int j = n - 1; j >= 0; j--) {
+        for (int k = 1; k < BAND && j + k < n; k++)
+            b[j] -= L[j][k] * b[j + k];
+        b[j] *= L[j][0];
+    }
 }
 
-/* Between the unknowns v (n) and component c of the grid. */
+/* a (across x along, the longer side fastest) := S^-1 a; b is scratch */
+static void solve_component(const struct retraction *r, double *a, double *b)
+{
+    const double one = 1, zero = 0;
+    const int m = r->across, n = r->along;
+    dgemm_("N", "N", &n, &m, &m, &one, a, &n, r->Q, &m, &zero, b, &n);
+    for (size_t i = 0; i < (size_t)m; i++)
+        band_solve((const double(*)[BAND])(r->factor + i * (size_t)n * BAND), n, b + i * (size_t)n);
+    dgemm_("N", "T", &n, &m, &m, &one, b, &n, r->Q, &m, &zero, a, &n);
+}
+
+/* Between component c of the unknowns v (n) and the grid of functions. */
 static void carry(const struct patch *p, int c, double *v, double *a, bool back)
 {
-    int side = p->basis->kind == BASIS_HERMITE ? 2 : 1, nx = p->retraction->line[0].n;
+    const struct retraction *r = p->retraction;
+    int side = p->basis->kind == BASIS_HERMITE ? 2 : 1;
+    size_t x = r->x_is_long ? 1 : (size_t)r->along, y = r->x_is_long ? (size_t)r->along : 1;
     for (int node = 0; node < p->d.nnodes; node++) {
         double *from = v + p->per_node * p->place[node] + c;
-        double *to = a + (size_t)(node / p->mx * side) * (size_t)nx + (size_t)(node % p->mx * side);
+        double *to = a + (size_t)(node % p->mx * side) * x + (size_t)(node / p->mx * side) * y;
         for (int k = 0; k < p->basis->per_node; k++) {
-            double *one = from + 3 * k, *other = to + k / 2 * nx + k % 2;
+            double *one = from + 3 * k, *other = to + (size_t)(k % 2) * x + (size_t)(k / 2) * y;
             *(back ? one : other) = *(back ? other : one);
         }
     }
@@ -146,7 +198,7 @@ static void solve(const struct patch *p, double *v)
     for (int c = 0; c < 3; c++) {
         double *a = r->grid + 2 * size * (size_t)c;
         carry(p, c, v, a, false);
-        solve_component(&r->line[0], &r->line[1], a, a + size);
+        solve_component(r, a, a + size);
         carry(p, c, v, a, true);
     }
 }
