@@ -105,6 +105,24 @@ static bool check_size(struct diag *diag, const struct source *source, const png
     return !diag->nerrors;
 }
 
+/* Does every chunk (length, name, data, checksum) end within the file?  libpng makes room for what a length says
+ * before it looks for the data. */
+static bool chunks_are_there(const struct source *source)
+{
+    enum { AROUND = 12 };
+    const unsigned char *byte = (const unsigned char *)source->text;
+    size_t at = SIGNATURE;
+    while (at + AROUND <= source->size) {
+        size_t length = (size_t)byte[at] << 24 | (size_t)byte[at + 1] << 16 | (size_t)byte[at + 2] << 8 | byte[at + 3];
+        if (length > source->size - at - AROUND)
+            return false;
+        if (memcmp(byte + at + 4, "IEND", 4) == 0)
+            return true;
+        at += length + AROUND;
+    }
+    return false;
+}
+
 /* The pixels, four bytes each: red, green, blue, opacity; the top row first. NULL after an error. */
 static const unsigned char *read_pixels(struct arena *arena, struct diag *diag, const struct source *source,
                                         png_image *image)
@@ -112,6 +130,8 @@ static const unsigned char *read_pixels(struct arena *arena, struct diag *diag, 
     const unsigned char *pixel = NULL;
     if (!picture_is_png(source))
         diag_error(diag, CODE_PICTURE, whole(arena, source), "this is no PNG picture");
+    else if (!chunks_are_there(source))
+        diag_error(diag, CODE_PICTURE, whole(arena, source), "this picture cannot be read: it ends too early");
     else if (png_image_begin_read_from_memory(image, source->text, source->size)) {
         image->format = PNG_FORMAT_RGBA;
         if (check_size(diag, source, image)) {
