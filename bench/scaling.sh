@@ -16,7 +16,5 @@ for pattern in rib_2x2 stockinette; do
         echo "$pattern,$columns,$rows,$((columns * rows)),$(figures discretisation.unknowns solve.iterations \
             solve.factorisations),$cpu,$wall,$(figures memory.peak_bytes | awk '{ if ($1) printf "%.0f", $1 / 1048576 }'),$runs,$(figure solve.status)" >>"$table"
         say "$(tail -n 1 "$table")"
-        # A wide plain sheet has many shapes that differ little: it is the slow one, and ends sooner here.
-        if [ $pattern = stockinette ] && [ -z "${BENCH_LARGE:-}" ] && [ "$columns" -ge 56 ]; then break; fi
     done
 done
