@@ -170,17 +170,18 @@ static void print_plan(const struct scene *scene, int seeds)
     struct sheet *sheet = sheet_build(scene);
     struct forecast forecast = forecast_fold(sheet);
     sheet_free(sheet);
+    bool plain = scene->solve.method == METHOD_LBFGS;
     printf("%s: %d stitches x %d rows, %d growth steps\n", scene->file, scene->grid->columns, scene->grid->rows,
            scene->solve.steps);
     printf("%d per stitch%s: %ld unknowns, %ld elements\n", forecast.per_stitch,
-           scene->mesh.per_stitch ? "" : " (as a sample of the swatch takes)", forecast.unknowns, forecast.elements);
+           scene->mesh.per_stitch || plain ? "" : " (as a sample of the swatch takes)", forecast.unknowns, forecast.elements);
     if (seeds > 1) {    /* the one that is kept is folded once more */
         printf("%d seeds\n", seeds);
         forecast.seconds *= seeds + 1;
     }
     printf(forecast.seconds < 10 ? "about %.2g s, %.2g GB%s\n" : "about %.0f s, %.2g GB%s\n", forecast.seconds,
            forecast.bytes / 1e9,
-           scene->solve.method == METHOD_LBFGS ? " and many times that: lbfgs takes thousands of iterations" : "");
+           plain ? " and many times that: lbfgs takes thousands of iterations" : "");
     int n = 0;
     for (int i = 0; i < scene->noutputs; i++)
         if (!outputs_of_sweep(scene, i))

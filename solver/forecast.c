@@ -25,7 +25,8 @@ enum { FIRST_ITERATIONS = 90, FIRST_FACTORS = 5, GROWTH_ITERATIONS = 20, GROWTH_
 enum { LEVEL_ITERATIONS = 60, LEVEL_FACTORS = 5 };
 enum { NEWTON_STEPS = 14, CONJUGATE_STEPS = 25 };   /* of a level too large to factor, and of each step there */
 enum { CHECK_ITERATIONS = 40, CHECK_FACTORS = 6 };  /* on patches, for the error of triangles */
-enum { ESTIMATE_STEPS = 20, SAMPLE = 12 };
+enum { ESTIMATE_STEPS = 20 };                       /* conjugate ones, for the error */
+enum { SAMPLE = 12 };                               /* stitches a side */
 enum { NEXT_LEVEL = 4 };                            /* times as many unknowns */
 
 /* The last level that was factored. */
@@ -97,10 +98,12 @@ static struct sheet sample_of(const struct sheet *sheet)
     return s;
 }
 
-/* The cells a stitch's side that the accuracy takes on a sample: errors are made at the stitches' lines, alike
- * all over the sheet. */
-static int cells_for_accuracy(const struct sheet *sheet)
+/* The cells a stitch's side: as asked for, or those that the accuracy takes on a sample, as errors are made at the
+ * stitches' lines, alike all over the sheet.  Plain libLBFGS stays on its first level. */
+static int cells_of(const struct sheet *sheet)
 {
+    if (sheet->mesh.per_stitch || sheet->solve.method == METHOD_LBFGS)
+        return sheet->mesh.per_stitch;
     struct sheet sample = sample_of(sheet);
     struct fold_record record;
     fold_free(fold_run(&sample, &(struct fold_options){.threads = 1}, NULL, &record));
@@ -123,7 +126,7 @@ static void add_check(struct forecast *f, const struct sheet *sheet)
 struct forecast forecast_fold(const struct sheet *sheet)
 {
     struct forecast forecast = {.seconds = BEGIN};
-    int cells = sheet->mesh.per_stitch ? sheet->mesh.per_stitch : cells_for_accuracy(sheet);
+    int cells = cells_of(sheet);
     struct discretisation *d = levels_first(sheet, 1);
     double more = sheet->solve.steps - 1;
     struct factored last = add_level(&forecast, d, FIRST_ITERATIONS + more * GROWTH_ITERATIONS,

@@ -19,6 +19,7 @@
 
 #include "solver/memory.h"
 #include "solver/patch_batch.h"
+#include "solver/rigid.h"
 #include "solver/turn_kernel.h"
 
 enum { GAUSS_TURN = 3 };        /* points a side; too few for the mass of a line of one element */
@@ -205,44 +206,38 @@ static void solve(const struct patch *p, double *v)
 
 /* ---- a free sheet: its motion as a whole is no part of an increment (it would turn what follows) ---- */
 
-/* Unknowns k, k+1, k+2 under the six rigid motions: z[m] is the velocity in motion m; a node's first three are its
- * position, the others turn only. */
-static void rigid_velocities(const struct patch *p, const double *x, int k, double z[6][3])
+/* Coordinate c of the vector at unknowns k .. k+2 under the six rigid motions: slopes and twists turn only. */
+static void velocity(const struct patch *p, const double *x, int k, int c, double z[6])
 {
-    bool position = k % p->per_node == 0;
-    const double *r = x + k;
-    memset(z, 0, 6 * sizeof *z);
-    for (int m = 0; m < 3; m++) {
-        z[m][m] = position;
-        z[3 + m][(m + 1) % 3] = -r[(m + 2) % 3];
-        z[3 + m][(m + 2) % 3] = r[(m + 1) % 3];
-    }
+    rigid_velocity(x + k, c, z);
+    if (k % p->per_node != 0)
+        memset(z, 0, 3 * sizeof *z);
 }
 
 /* v -= Z (Z^T Z)^-1 Z^T v, Z (n x 6) the rigid motions of state x. */
 static void remove_rigid(const struct patch *p, const double *x, double *v)
 {
     const int six = 6, one = 1;
-    double gram[6][6] = {{0}}, part[6] = {0}, z[6][3];
-    for (int k = 0; k < p->d.n; k += 3) {
-        rigid_velocities(p, x, k, z);
-        for (int m = 0; m < 6; m++)
-            for (int c = 0; c < 3; c++) {
-                part[m] += z[m][c] * v[k + c];
+    double gram[6][6] = {{0}}, part[6] = {0}, z[6];
+    for (int k = 0; k < p->d.n; k += 3)
+        for (int c = 0; c < 3; c++) {
+            velocity(p, x, k, c, z);
+            for (int m = 0; m < 6; m++) {
+                part[m] += z[m] * v[k + c];
                 for (int l = 0; l < 6; l++)
-                    gram[m][l] += z[m][c] * z[l][c];
+                    gram[m][l] += z[m] * z[l];
             }
-    }
+        }
     int info;
     dposv_("L", &six, &one, &gram[0][0], &six, part, &six, &info);
-    if (info != 0)
+    if (info != 0)      /* a sheet without extent turns about nothing */
         return;
-    for (int k = 0; k < p->d.n; k += 3) {
-        rigid_velocities(p, x, k, z);
-        for (int m = 0; m < 6; m++)
-            for (int c = 0; c < 3; c++)
-                v[k + c] -= part[m] * z[m][c];
-    }
+    for (int k = 0; k < p->d.n; k += 3)
+        for (int c = 0; c < 3; c++) {
+            velocity(p, x, k, c, z);
+            for (int m = 0; m < 6; m++)
+                v[k + c] -= part[m] * z[m];
+        }
 }
 
 /* The retraction's own increment: length dx, at rest as a whole where no spring holds the sheet. */
