@@ -7,116 +7,28 @@
  * there, and the surface is the one whose derivatives come closest to those of
  * the turned frames,
  *     y = x + u + S^-1 Sum_g w_g (N_x e_p + N_y e_q),  S_ab = Int N_x^a N_x^b + N_y^a N_y^b,
- * e the excess of the second order (turn_kernel.h).
- *
- * On the grid S = K (x) M + M (x) K, K and M the stiffness and mass of a line of
- * elements, three diagonals each side.  Across the shorter side K Q = M Q diag(l)
- * with Q^T M Q = I (Lynch, Rice and Thomas 1964); what is left along the longer one
- * is a band matrix K + l_i M for each mode i. */
-#include <assert.h>
+ * e the excess of the second order (turn_kernel.h), S^-1 of patch_poisson.h. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "solver/memory.h"
 #include "solver/patch_batch.h"
-#include "solver/rigid.h"
+#include "solver/patch_poisson.h"
 #include "solver/turn_kernel.h"
 
 enum { GAUSS_TURN = 3 };        /* points a side; too few for the mass of a line of one element */
 
-/* BLAS and LAPACK, column-major. */
-void dgemm_(const char *transa, const char *transb, const int *m, const int *n, const int *k, const double *alpha,
-            const double *a, const int *lda, const double *b, const int *ldb, const double *beta, double *c,
-            const int *ldc);
+/* LAPACK, column-major. */
 void dposv_(const char *uplo, const int *n, const int *columns, double *a, const int *lda, double *b, const int *ldb,
             int *info);
-void dsbgv_(const char *job, const char *uplo, const int *n, const int *ka, const int *kb, double *a, const int *lda,
-            double *b, const int *ldb, double *w, double *z, const int *ldz, double *work, int *info);
-void dpbtrf_(const char *uplo, const int *n, const int *k, double *a, const int *lda, int *info);
-
-enum { REACH = BASIS_LINE - 1, BAND = REACH + 1 };     /* diagonals below the main one; with it */
 
 struct retraction {
     int         gauss;          /* points a side; 0: nothing is made yet */
     double      weight[GAUSS_MAX * GAUSS_MAX];
     double      N[GAUSS_MAX * GAUSS_MAX][D_COUNT][BASIS_MAX];      /* of which D_P and D_Q are used */
-    bool        x_is_long;
-    int         across, along;  /* functions of the shorter side's lines and of the longer one's */
-    double     *Q;              /* (across x across) columns: modes */
-    double     *factor;         /* (across x along x BAND) Cholesky factor of each mode's band, 1/L_jj first */
+    struct poisson *poisson;
     double     *u, *right;      /* (n) scratch */
-    double     *grid;           /* (2 x 3 x across x along) scratch: components on the grid of functions */
 };
-
-/* K_ab = Int f_a' f_b' and M_ab = Int f_a f_b over elements of length h, (n x BAND) by lower diagonals; by the Gauss
- * rule of the excess, so that turning as a whole stays exact. */
-static void line_matrices(const struct basis *basis, int gauss, int elements, double h, double *K, double *M)
-{
-    double at[GAUSS_MAX], weight[GAUSS_MAX], f[BASIS_LINE][3];
-    int step = basis->kind == BASIS_HERMITE ? 2 : 1;
-    basis_gauss(gauss, at, weight);
-    for (int g = 0; g < gauss; g++) {
-        int count = basis_line(basis, at[g], f);
-        for (int e = 0; e < elements; e++)
-            for (int b = 0; b < count; b++)
-                for (int a = b; a < count; a++) {
-                    int entry = (step * e + b) * BAND + a - b;
-                    K[entry] += weight[g] * f[a][1] * f[b][1] / h;
-                    M[entry] += weight[g] * f[a][0] * f[b][0] * h;
-                }
-    }
-}
-
-/* The modes across and their eigenvalues l (across), rising from 0. */
-static void find_modes(struct retraction *r, double *K, double *M, double *l)
-{
-    const int n = r->across, reach = REACH, band = BAND;
-    double *work = MEMORY_ARRAY(double, 3 * n);
-    int info;
-    dsbgv_("V", "L", &n, &reach, &reach, K, &band, M, &band, l, r->Q, &n, work, &info);
-    assert(info == 0);
-    free(work);
-}
-
-/* K + l_i M along, factored for each mode; the first is pinned at its end: it holds the constants. */
-static void factor_modes(struct retraction *r, const double *K, const double *M, const double *l)
-{
-    const int n = r->along, reach = REACH, band = BAND;
-    for (int i = 0; i < r->across; i++) {
-        double *A = r->factor + (size_t)i * (size_t)n * BAND;
-        int info;
-        for (int k = 0; k < n * BAND; k++)
-            A[k] = K[k] + (i ? l[i] : 0) * M[k];
-        if (i == 0)
-            A[0] *= 2;
-        dpbtrf_("L", &n, &reach, A, &band, &info);
-        assert(info == 0);
-        for (int j = 0; j < n; j++)
-            A[j * BAND] = 1 / A[j * BAND];
-    }
-}
-
-static void make_modes(const struct patch *p, struct retraction *r)
-{
-    int side = p->basis->kind == BASIS_HERMITE ? 2 : 1;
-    r->x_is_long = p->nx > p->ny;
-    r->across = side * (r->x_is_long ? p->my : p->mx);
-    r->along = side * (r->x_is_long ? p->mx : p->my);
-    r->Q = MEMORY_ARRAY(double, (size_t)r->across * (size_t)r->across);
-    r->factor = MEMORY_ARRAY(double, (size_t)r->across * (size_t)r->along * BAND);
-    double *K[2], *M[2], *l = MEMORY_ARRAY(double, r->across);
-    for (int k = 0; k < 2; k++) {
-        bool x = r->x_is_long == k;     /* first across, then along */
-        K[k] = MEMORY_ARRAY(double, BAND * (k ? r->along : r->across));
-        M[k] = MEMORY_ARRAY(double, BAND * (k ? r->along : r->across));
-        line_matrices(p->basis, r->gauss, x ? p->nx : p->ny, x ? p->hx : p->hy, K[k], M[k]);
-    }
-    find_modes(r, K[0], M[0], l);
-    factor_modes(r, K[1], M[1], l);
-    for (int k = 0; k < 2; k++)
-        free(K[k]), free(M[k]);
-    free(l);
-}
 
 /* What belongs to the level; made when first asked for. */
 static struct retraction *prepare(const struct patch *p)
@@ -126,10 +38,9 @@ static struct retraction *prepare(const struct patch *p)
         return r;
     r->gauss = p->nx > 1 && p->ny > 1 ? GAUSS_TURN : GAUSS_MAX;
     patch_tabulate(p, r->gauss, r->weight, r->N);
-    make_modes(p, r);
+    r->poisson = poisson_make(p, r->gauss);
     r->u = MEMORY_ARRAY(double, p->d.n);
     r->right = MEMORY_ARRAY(double, p->d.n);
-    r->grid = MEMORY_ARRAY(double, 2 * p->d.n);
     return r;
 }
 
@@ -140,104 +51,63 @@ struct retraction *patch_retraction_make(void)
 
 void patch_retraction_free(struct retraction *r)
 {
-    free(r->Q);
-    free(r->factor);
+    poisson_free(r->poisson);
     free(r->u);
     free(r->right);
-    free(r->grid);
     free(r);
-}
-
-/* b (n) := (L L^T)^-1 b.  LAPACK calls the BLAS for every row, which is longer than three multiplications take. */
-static void band_solve(const double (*L)[BAND], int n, double *b)
-{
-    for (int j = 0; j < n; j++) {
-        b[j] *= L[j][0];
-        for (int k = 1; k < BAND && j + k < n; k++)
-            b[j + k] -= L[j][k] * b[j];
-    }
-    for (int j = n - 1; j >= 0; j--) {
-        for (int k = 1; k < BAND && j + k < n; k++)
-            b[j] -= L[j][k] * b[j + k];
-        b[j] *= L[j][0];
-    }
-}
-
-/* a (across x along, the longer side fastest) := S^-1 a; b is scratch */
-static void solve_component(const struct retraction *r, double *a, double *b)
-{
-    const double one = 1, zero = 0;
-    const int m = r->across, n = r->along;
-    dgemm_("N", "N", &n, &m, &m, &one, a, &n, r->Q, &m, &zero, b, &n);
-    for (size_t i = 0; i < (size_t)m; i++)
-        band_solve((const double(*)[BAND])(r->factor + i * (size_t)n * BAND), n, b + i * (size_t)n);
-    dgemm_("N", "T", &n, &m, &m, &one, b, &n, r->Q, &m, &zero, a, &n);
-}
-
-/* Between component c of the unknowns v (n) and the grid of functions. */
-static void carry(const struct patch *p, int c, double *v, double *a, bool back)
-{
-    const struct retraction *r = p->retraction;
-    int side = p->basis->kind == BASIS_HERMITE ? 2 : 1;
-    size_t x = r->x_is_long ? 1 : (size_t)r->along, y = r->x_is_long ? (size_t)r->along : 1;
-    for (int node = 0; node < p->d.nnodes; node++) {
-        double *from = v + p->per_node * p->place[node] + c;
-        double *to = a + (size_t)(node % p->mx * side) * x + (size_t)(node / p->mx * side) * y;
-        for (int k = 0; k < p->basis->per_node; k++) {
-            double *one = from + 3 * k, *other = to + (size_t)(k % 2) * x + (size_t)(k / 2) * y;
-            *(back ? one : other) = *(back ? other : one);
-        }
-    }
-}
-
-/* v := S^-1 v for each of the three components */
-static void solve(const struct patch *p, double *v)
-{
-    const struct retraction *r = p->retraction;
-    size_t size = (size_t)(p->d.n / 3);
-#pragma omp parallel for num_threads(p->d.threads) if (p->d.threads > 1)
-    for (int c = 0; c < 3; c++) {
-        double *a = r->grid + 2 * size * (size_t)c;
-        carry(p, c, v, a, false);
-        solve_component(r, a, a + size);
-        carry(p, c, v, a, true);
-    }
 }
 
 /* ---- a free sheet: its motion as a whole is no part of an increment (it would turn what follows) ---- */
 
-/* Coordinate c of the vector at unknowns k .. k+2 under the six rigid motions: slopes and twists turn only. */
-static void velocity(const struct patch *p, const double *x, int k, int c, double z[6])
+/* out (3) += a x b */
+static void add_cross(const double a[3], const double b[3], double out[3])
 {
-    rigid_velocity(x + k, c, z);
-    if (k % p->per_node != 0)
-        memset(z, 0, 3 * sizeof *z);
+    for (int c = 0; c < 3; c++)
+        out[c] += a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+}
+
+/* Gram matrix Z^T Z and part = Z^T v of the rigid motions Z of x (n): three translations of the nodes' positions r,
+ * then omega x r of these and of slopes and twists, from the sums of r, of r r^T, of v and of r x v. */
+static void rigid_sums(const struct patch *p, const double *x, const double *v, double gram[6][6], double part[6])
+{
+    double centre[3] = {0}, square[3][3] = {{0}}, positions = 0;
+    for (int k = 0; k < p->d.n; k += 3) {
+        const double *r = x + k;
+        for (int c = 0; c < 3; c++)
+            for (int e = 0; e < 3; e++)
+                square[c][e] += r[c] * r[e];
+        add_cross(r, v + k, part + 3);
+        if (k % p->per_node != 0)
+            continue;
+        positions++;
+        for (int c = 0; c < 3; c++)
+            centre[c] += r[c], part[c] += v[k + c];
+    }
+    for (int c = 0; c < 3; c++) {
+        const double turn[3] = {c == 0, c == 1, c == 2};
+        gram[c][c] = positions;
+        add_cross(centre, turn, gram[c] + 3);       /* e_c . (omega x r) = omega . (r x e_c) */
+        for (int e = 0; e < 3; e++)
+            gram[3 + c][3 + e] = (c == e ? square[0][0] + square[1][1] + square[2][2] : 0) - square[c][e];
+    }
 }
 
 /* v -= Z (Z^T Z)^-1 Z^T v, Z (n x 6) the rigid motions of state x. */
 static void remove_rigid(const struct patch *p, const double *x, double *v)
 {
     const int six = 6, one = 1;
-    double gram[6][6] = {{0}}, part[6] = {0}, z[6];
-    for (int k = 0; k < p->d.n; k += 3)
-        for (int c = 0; c < 3; c++) {
-            velocity(p, x, k, c, z);
-            for (int m = 0; m < 6; m++) {
-                part[m] += z[m] * v[k + c];
-                for (int l = 0; l < 6; l++)
-                    gram[m][l] += z[m] * z[l];
-            }
-        }
+    double gram[6][6] = {{0}}, part[6] = {0};
     int info;
+    rigid_sums(p, x, v, gram, part);
     dposv_("L", &six, &one, &gram[0][0], &six, part, &six, &info);
     if (info != 0)      /* a sheet without extent turns about nothing */
         return;
-    for (int k = 0; k < p->d.n; k += 3)
-        for (int c = 0; c < 3; c++) {
-            velocity(p, x, k, c, z);
-            for (int m = 0; m < 6; m++)
-                v[k + c] -= part[m] * z[m];
-        }
+    const double back[3] = {-part[3], -part[4], -part[5]};
+    for (int k = 0; k < p->d.n; k += 3) {
+        add_cross(back, x + k, v + k);
+        for (int c = 0; c < 3 && k % p->per_node == 0; c++)
+            v[k + c] -= part[c];
+    }
 }
 
 /* The retraction's own increment: length dx, at rest as a whole where no spring holds the sheet. */
@@ -310,7 +180,7 @@ void patch_retract(const struct discretisation *d, const double *x, double lengt
     double *right = p->retraction->right;
     memset(right, 0, sizeof *right * (size_t)d->n);
     all_batches(p, x, u, NULL, right);
-    solve(p, right);
+    poisson_solve(p->retraction->poisson, right);
     for (int i = 0; i < d->n; i++)
         y[i] = x[i] + u[i] + right[i];
 }
@@ -323,7 +193,7 @@ void patch_retract_adjoint(const struct discretisation *d, const double *x, doub
     double *right = p->retraction->right;
     memcpy(right, g, sizeof *g * (size_t)d->n);
     memcpy(gu, g, sizeof *g * (size_t)d->n);
-    solve(p, right);
+    poisson_solve(p->retraction->poisson, right);
     all_batches(p, x, u, right, gu);
     if (d->sheet->spring <= 0)
         remove_rigid(p, x, gu);

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "solver/memory.h"
-#include "solver/rigid.h"
 #include "solver/stopwatch.h"
 
 void problem_open(struct problem *p, const struct discretisation *d, struct effort *effort)
@@ -57,6 +56,17 @@ void problem_move(const struct problem *p, const double *x, double length, const
 
 /* Such a shift holds the rigid motions by itself, and as symmetric as the sheet. */
 static const double UNPINNED = 1e-6;
+
+/* The velocities of coordinate c of a point at r under the six rigid motions: three
+ * translations, then omega x r about each axis. */
+static void rigid_velocity(const double *r, int c, double z[6])
+{
+    const double turn[3][3] = {{0, -r[2], r[1]}, {r[2], 0, -r[0]}, {-r[1], r[0], 0}};
+    for (int m = 0; m < 3; m++) {
+        z[m] = m == c;
+        z[3 + m] = turn[m][c];
+    }
+}
 
 /* Six positions that no rigid motion leaves at rest: rows of the rigid modes by
  * complete pivoting, so that they hold in any folded state. */
