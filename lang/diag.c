@@ -75,7 +75,7 @@ static void record(struct diag *diag, enum severity severity, enum diag_code cod
     diag->open = NULL;
     if (said_before(diag, code, span))
         return;
-    if (diag->nerrors + diag->nwarnings < LIMIT_MESSAGES)
+    if (diag->nerrors + diag->nwarnings < LIMIT_MESSAGES || code == CODE_LIMIT_ERRORS)
         message_new(diag, severity, code, span)->text = arena_vprintf(diag->arena, format, arguments);
     ++*count;
 }
@@ -99,15 +99,29 @@ void diag_warning(struct diag *diag, enum diag_code code, struct span span, cons
     va_end(arguments);
 }
 
+bool diag_is_full(struct diag *diag, struct span span)
+{
+    bool errors = diag->nerrors >= LIMIT_ERRORS;
+
+    if (!errors && diag->nwarnings < LIMIT_WARNINGS)
+        return false;
+    if (!diag->full)
+        diag_error(diag, CODE_LIMIT_ERRORS, span, "after %d %s this file is read no further",
+                   errors ? diag->nerrors : diag->nwarnings, errors ? "errors" : "warnings");
+    diag->full = true;
+    return true;
+}
+
 /* Appends a line to the message recorded last, unless that one was dropped. */
-static void add_note(struct diag *diag, struct span span, bool hint, const char *text)
+static void __attribute__((format(printf, 4, 0)))
+add_note(struct diag *diag, struct span span, bool hint, const char *format, va_list arguments)
 {
     struct note *note;
 
     if (!diag->open)
         return;
     note = arena_new(diag->arena, struct note);
-    *note = (struct note){.span = span, .text = text, .hint = hint};
+    *note = (struct note){.span = span, .text = arena_vprintf(diag->arena, format, arguments), .hint = hint};
     if (diag->open->last)
         diag->open->last->next = note;
     else
@@ -120,7 +134,7 @@ void diag_note(struct diag *diag, struct span span, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    add_note(diag, span, false, arena_vprintf(diag->arena, format, arguments));
+    add_note(diag, span, false, format, arguments);
     va_end(arguments);
 }
 
@@ -129,7 +143,7 @@ void diag_hint(struct diag *diag, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    add_note(diag, (struct span){0}, true, arena_vprintf(diag->arena, format, arguments));
+    add_note(diag, (struct span){0}, true, format, arguments);
     va_end(arguments);
 }
 

@@ -61,6 +61,7 @@ struct diag {
     struct message *open;           /* takes notes; NULL when the last one was dropped */
     int             nerrors;        /* all, also those past the limit of what is kept */
     int             nwarnings;
+    bool            full;           /* said that there are too many */
     bool            warnings_are_errors;
     const struct context *context;  /* set and put back by whoever enters and leaves */
 };
@@ -73,6 +74,9 @@ void diag_error(struct diag *, enum diag_code, struct span, const char *format, 
     __attribute__((format(printf, 4, 5)));
 void diag_warning(struct diag *, enum diag_code, struct span, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+
+/* Whether there are so many that no more is worth reading: says so, once, at this place. */
+bool diag_is_full(struct diag *, struct span);
 
 /* Added to the message recorded last. */
 void diag_note(struct diag *, struct span, const char *format, ...) __attribute__((format(printf, 3, 4)));

@@ -217,13 +217,16 @@ static void json_message(FILE *out, const struct message *m)
     fputs("]}\n", out);
 }
 
+/* Those kept, and that there are too many. */
+enum { MESSAGES = LIMIT_MESSAGES + 1 };
+
 /* Messages about one text stand in its order, texts in the order they came up. */
 static bool comes_before(const struct message *a, const struct message *b)
 {
     return a->span.source == b->span.source && a->span.start < b->span.start;
 }
 
-static int in_order(const struct diag *diag, const struct message *order[LIMIT_MESSAGES])
+static int in_order(const struct diag *diag, const struct message *order[MESSAGES])
 {
     int n = 0;
 
@@ -241,7 +244,7 @@ static int in_order(const struct diag *diag, const struct message *order[LIMIT_M
 
 void diag_print(const struct diag *diag, FILE *out, enum diag_style style, bool color)
 {
-    const struct message *order[LIMIT_MESSAGES];
+    const struct message *order[MESSAGES];
     int shown = in_order(diag, order);
 
     for (int i = 0; i < shown; i++)

@@ -24,7 +24,8 @@ enum {
     LIMIT_OUTPUTS      = 100,                   /* files to write */
     LIMIT_NAME         = 100,                   /* bytes of a name */
     LIMIT_MESSAGES     = 20,                    /* shown in one run */
-    LIMIT_ERRORS       = 10 * 1000,             /* after them a script is read no further */
+    LIMIT_ERRORS       = 10 * 1000,             /* after them a script is read no further, */
+    LIMIT_WARNINGS     = 100 * 1000,            /* nor after these: one for each written row */
     LIMIT_PARSER_STACK = 4000                   /* symbols the parser holds */
 };
 

@@ -263,8 +263,8 @@ lines:
 | lines[all] newline line               { $$ = $all; if ($line) APPEND($$, $line); }
 ;
 
-/* Behind a line with an error the next is read afresh; behind very many nothing is. */
-newline: NEWLINE                        { if (parse->diag->nerrors >= LIMIT_ERRORS) YYABORT; yyerrok; };
+/* Behind a line with an error the next is read afresh. */
+newline: NEWLINE                        { yyerrok; };
 
 line:
   %empty                                { $$ = NULL; }

@@ -40,19 +40,19 @@ static const char *next_line(const char *text)
     return text + strspn(text, " \t\f\v\r\n");
 }
 
-static bool is_word(const char *text, const char *word)
-{
-    size_t n = word_length(text);
-
-    return strlen(word) == n && strncasecmp(text, word, n) == 0;
-}
-
 static bool is_one_of(const char *text, const char *const *word, int n)
 {
+    size_t length = word_length(text);
+
     for (int i = 0; i < n; i++)
-        if (is_word(text, word[i]))
+        if (strncasecmp(text, word[i], length) == 0 && !word[i][length])
             return true;
     return false;
+}
+
+static bool is_word(const char *text, const char *word)
+{
+    return is_one_of(text, &word, 1);
 }
 
 /* Whether one of the characters stands on the line. */

@@ -18,6 +18,12 @@ void scanner_advance(struct scanner *scanner, struct span *span, size_t length)
     scanner->at = span->end;
 }
 
+bool scanner_gives_up(struct scanner *scanner, struct span span)
+{
+    scanner->quiet |= diag_is_full(scanner->parse->diag, span);
+    return scanner->parse->diag->full;
+}
+
 void scanner_retreat(struct scanner *scanner, struct span *span, size_t length)
 {
     span->end -= (unsigned)length;

@@ -54,6 +54,9 @@ struct stmt *scanner_parse(struct scanner *);
 /* Runs flex alone: each token up to TOKEN_END goes to `take`. */
 void scanner_tokens(struct scanner *, void (*take)(void *context, int kind, struct span), void *context);
 
+/* Whether there are too many errors to go on. */
+bool scanner_gives_up(struct scanner *, struct span);
+
 void scanner_advance(struct scanner *, struct span *, size_t length);
 void scanner_retreat(struct scanner *, struct span *, size_t length);
 

@@ -8,15 +8,10 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/phrases.h"
 #include "lang/prose.h"
 
-/* Words are separated by one blank, for any blanks or a line end of the text. `a|b`: one of
- * them; `?` behind: or nothing; `#`: a number, `~` the sign #; `=` before: stays as it is, the others make
- * room for the plain wording. `@` begins a phrase that stands behind a stitch: knit, p; `<` one
- * that stands on one line; `^` one that begins a line. */
-static const struct phrase {
-    const char *words, *plain;
-} phrases[] = {
+static const struct phrase table[] = {
     /* to the end */
     {"all? the? rest|remainder of the|this? row|round|rnd|sts|stitches|way", "to end"},
     {"@ the rest|remainder", "to end"},
@@ -103,83 +98,19 @@ static const struct phrase {
     {"=cast|bind =on|off", ""},
     {"=same|work =as =row", ""},
 };
-enum { PHRASES = sizeof phrases / sizeof *phrases, PIECES = 16 };
-_Static_assert(PHRASES <= 64, "each is a bit");
-
-/* Where the words of a phrase stand in the text. */
-struct found {
-    int n;
-    size_t start[PIECES], end[PIECES];
-    bool stays[PIECES];
-};
-
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
-
-/* Behind blanks and at most one line end. */
-static size_t skip(const char *text, size_t at)
-{
-    while (is_blank(text[at]))
-        at++;
-    if (text[at] == '\r' && text[at + 1] == '\n')
-        at++;
-    if (text[at] == '\n' || text[at] == '\r')
-        at++;
-    while (is_blank(text[at]))
-        at++;
-    return at;
-}
-
-static size_t number_length(const char *text)
-{
-    static const char *const word[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
-    size_t digits = strspn(text, "0123456789");
-
-    for (size_t i = 0; !digits && strchr("otfsenOTFSEN", *text) && *text && i < sizeof word / sizeof *word; i++)
-        if (strncasecmp(text, word[i], strlen(word[i])) == 0 && !isalnum((unsigned char)text[strlen(word[i])]))
-            return strlen(word[i]);
-    return digits;
-}
+enum { PHRASES = sizeof table / sizeof *table };
 
 /* The length of the first of the words a|b|c that stands in the text; 0: none does. */
-static size_t one_of(const char *words, size_t length, const char *text)
+static size_t one_of(const char *words, const char *text)
 {
-    for (const char *word = words, *end = words + length; word < end;) {
-        size_t n = strcspn(word, "|? ");
+    for (const char *word = words; *word;) {
+        size_t n = strcspn(word, "|");
 
-        n = word + n > end ? (size_t)(end - word) : n;
-        if (n == 1 && *word == '#' && number_length(text))
-            return number_length(text);
-        if (n == 1 && *word == '~' && *text == '#')
-            return 1;
         if (strncasecmp(text, word, n) == 0 && (!isalnum((unsigned char)word[n - 1]) || !isalnum((unsigned char)text[n])))
             return n;
-        word += n + 1;
+        word += n + (word[n] == '|');
     }
     return 0;
-}
-
-static bool match(const char *words, const char *text, size_t at, struct found *found)
-{
-    size_t length = strcspn(words, " "), n, from = found->n ? skip(text, at) : at;
-    bool stays = *words == '=', optional;
-    const char *next = words + length + (words[length] == ' ');
-
-    if (!*words)
-        return true;
-    optional = words[length - 1] == '?';
-    n = one_of(words + stays, length - stays - optional, text + from);
-    if (n && found->n < PIECES) {
-        found->start[found->n] = from;
-        found->end[found->n] = from + n;
-        found->stays[found->n++] = stays;
-        if (match(next, text, from + n, found))
-            return true;
-        found->n--;
-    }
-    return optional && match(next, text, at, found);
 }
 
 /* Whether `k`, `knit`, `p` or `purl` stands before. */
@@ -191,7 +122,7 @@ static bool behind_stitch(const char *text, size_t at)
         at--;
     for (end = at; at > 0 && isalnum((unsigned char)text[at - 1]);)
         at--;
-    return end > at && one_of("knit|k|purl|p", 13, text + at) == end - at;
+    return end > at && one_of("knit|k|purl|p", text + at) == end - at;
 }
 
 /* Whether nothing but blanks and marks of a list stands before, on the line. */
@@ -246,37 +177,13 @@ static bool put_plain(char *text, const struct found *found, const char *plain)
 /* How long the brackets of "(K2. P2) ribbing" are, which goes without them; or 0. */
 static size_t rib_length(const char *text)
 {
-    size_t at = 1, close;
+    size_t at = 1;
 
     if (tolower((unsigned char)text[1]) != 'k')
         return 0;
-    close = strcspn(text, ")\r\n");
-    if (text[close] != ')' || close > 12)
-        return 0;
-    while (at < close && (isalnum((unsigned char)text[at]) || strchr(" .,;", text[at])))
+    while (at <= 12 && text[at] && (isalnum((unsigned char)text[at]) || strchr(" .,;", text[at])))
         at++;
-    return at == close && strncasecmp(text + skip(text, close + 1), "rib", 3) == 0 ? close + 1 : 0;
-}
-
-/* The phrases that may begin with a character, as bits. */
-static void index_phrases(unsigned long long first[256])
-{
-    memset(first, 0, 256 * sizeof *first);
-    for (int i = 0; i < PHRASES; i++) {
-        const char *words = phrases[i].words + (strchr("@<^", *phrases[i].words) ? 2 : 0);
-
-        for (bool more = true; more;) {
-            size_t length = strcspn(words, " ");
-
-            more = words[length - 1] == '?';
-            for (size_t at = *words == '='; at < length; at += strcspn(words + at, "| ") + 1)
-                for (const char *c = words[at] == '#' ? "0123456789otfsen" : (char[]){words[at], '\0'}; *c; c++) {
-                    first[tolower((unsigned char)*c)] |= 1ull << i;
-                    first[toupper((unsigned char)*c)] |= 1ull << i;
-                }
-            words += length + 1;
-        }
-    }
+    return text[at] == ')' && strncasecmp(text + phrases_skip(text, at + 1), "rib", 3) == 0 ? at + 1 : 0;
 }
 
 /* A text that is copied before the first change of it. */
@@ -296,20 +203,17 @@ static char *own_text(struct wording *w)
 }
 
 /* Puts the phrase that begins here plainly. */
-static void put_phrase(struct wording *w, size_t at, unsigned long long candidates)
+static void put_phrase(struct wording *w, struct phrases *phrases, size_t at)
 {
     struct found found;
 
-    for (; candidates; candidates &= candidates - 1) {
-        int i = __builtin_ctzll(candidates);
-        char mark = *phrases[i].words;
-        const char *words = phrases[i].words + (strchr("@<^", mark) ? 2 : 0);
+    for (int i = 0; (i = phrases_find(phrases, w->text, at, i, &found)) >= 0; i++) {
+        char mark = *table[i].words;
 
-        found.n = 0;
-        if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)))
+        if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)) ||
+            (mark == '<' && breaks(w->text, &found)))
             continue;
-        if (match(words, w->text, at, &found) && !(mark == '<' && breaks(w->text, &found)) && changes(w->text, &found) &&
-            put_plain(own_text(w), &found, phrases[i].plain))
+        if (changes(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
             return;
     }
 }
@@ -328,11 +232,10 @@ static void put_rib(struct wording *w, size_t at, size_t length)
 /* How long `Scarf #1:` is at the beginning of a line, where a part of the pattern follows it; or 0. */
 static size_t title_length(const char *text)
 {
-    size_t at = 0, words = 0, n;
+    size_t at = 0, words = 0, word[4], n;
 
     for (; words < 4 && isalpha((unsigned char)text[at]); at += strspn(text + at, " ."), words++) {
-        if (prose_row_word(text + at))
-            return 0;
+        word[words] = at;
         while (isalpha((unsigned char)text[at]))
             at++;
     }
@@ -340,6 +243,9 @@ static size_t title_length(const char *text)
     n = strspn(text + at, "0123456789");
     if (!words || words > 3 || !n || text[at + n] != ':')
         return 0;
+    while (words > 0)
+        if (prose_row_word(text + word[--words]))
+            return 0;
     at += n + 1;
     return prose_pattern_follows(text + at + strspn(text + at, " \t")) ? at : 0;
 }
@@ -351,7 +257,7 @@ static size_t named_sign(const char *text)
     size_t at = 0;
 
     for (int i = 0; i < 3; i++) {
-        size_t n = one_of(phrase[i], strlen(phrase[i]), text + at);
+        size_t n = one_of(phrase[i], text + at);
 
         if (!n && i == 0)
             return 0;
@@ -376,10 +282,10 @@ static void put_stars(struct wording *w, size_t rep)
                 return;
         }
     }
-    if (!n || !strchr("kKpP([", w->text[skip(w->text, first + 1)]))
+    if (!n || !strchr("kKpP([", w->text[phrases_skip(w->text, first + 1)]))
         return;
     to += strspn(w->text + to, " \t");
-    word = one_of("to|and|-", 8, w->text + to);
+    word = one_of("to|and|-", w->text + to);
     to += word + strspn(w->text + to + word, " \t");
     to = word && w->text[to] == c ? to : sign;
     for (char *text = own_text(w); first <= to; first++)
@@ -398,9 +304,8 @@ static size_t skip_quoted(const char *text, size_t at)
 const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
     struct wording w = {arena, text, size, false};
-    unsigned long long first[256];
+    struct phrases *phrases = phrases_read(arena, table, PHRASES);
 
-    index_phrases(first);
     for (size_t at = 0; at < size;) {
         unsigned char c = (unsigned char)w.text[at];
 
@@ -416,10 +321,10 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
             if (title)
                 memset(own_text(&w) + at, ' ', title);
         }
-        if (strchr("rR", c) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && named_sign(w.text + at))
+        if (strchr("rR", c) && strchr("eEpP", w.text[at + 1]) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && named_sign(w.text + at))
             put_stars(&w, at);
-        if (first[c] && (!isalnum(c) || at == 0 || !isalnum((unsigned char)w.text[at - 1])))
-            put_phrase(&w, at, first[c]);
+        if (isgraph(c))
+            put_phrase(&w, phrases, at);
         at++;
         while (isalnum(c) && at < size && isalnum((unsigned char)w.text[at]))
             at++;

@@ -89,6 +89,9 @@ limit E0108 'braces that close nothing'
 make 'printf "let a = ("; for (i = 0; i < 300000; i++) print "# comment"'
 limit E0101 'a bracket before many lines'
 
+make 'for (i = 0; i < 150000; i++) printf "("; for (i = 0; i < 300000; i++) printf "(k"; print ""'
+limit E0107 'brackets of a rib that never end'
+
 # What is within the limits is done, and quickly enough.
 large() {
     make "$1"
@@ -125,5 +128,31 @@ else
     lean "$rows { n = 1; printf \" %s1,\", i * j % 7 < 3 ? \"k\" : \"p\" } print \"\" }" 'rows of k1, p1'
     lean "$rows { n = 2; printf \" %s 2,\", i * j % 7 < 3 ? \"knit\" : \"purl\" } print \"\" }" 'rows of knit 2, purl 2'
 fi
+
+# Errors on every line: after ten thousand of them the file is read no further, with
+# five bytes of memory for each of the file, and long before it would have been read.
+lean_limit() {
+    size=$(wc -c <"$work/x.knit")
+    status=0
+    (
+        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 2
+        [ -z "${base-}" ] || ulimit -v $((base + 5 * size / 1024))
+        exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
+    ) || status=$?
+    if [ $status = 3 ] && grep -q "\[$1\]" "$work/out"; then
+        pass "$1: $2"
+    else
+        fail "$1: $2 (exit status $status)"
+        head -c 2000 "$work/out" | sed 's/^/# /'
+    fi
+}
+make 'print "Cast on 4\nRow 1: k4"; for (i = 0; i < 800000; i++) print "rep from x"'
+lean_limit E0714 'errors within one row'
+make 'print "Cast on 4"; for (i = 0; i < 500000; i++) print "Row 1: rep from x"'
+lean_limit E0714 'an error in every row'
+make 'for (i = 0; i < 800000; i++) print "swatch ((("'
+lean_limit E0714 'brackets left open'
+make 'for (i = 0; i < 800000; i++) print "rep from x"'
+lean_limit E0714 'lines read as text'
 
 finish
