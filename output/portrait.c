@@ -11,6 +11,7 @@
 #include "drawing/canvas.h"
 #include "drawing/colours.h"
 #include "drawing/lettering.h"
+#include "drawing/packed.h"
 #include "output/field.h"
 #include "output/render.h"
 
@@ -146,6 +147,10 @@ static bool draw_fold(cairo_t *cairo, const struct show *show, enum canvas_forma
     cairo_surface_t *image = render_fold(show, pixels);
     if (!image)
         return false;
+    if (format == CANVAS_SVG && !packed_attach(image, show->field.value ? PACKED_GRADUAL : PACKED_FLAT)) {
+        cairo_surface_destroy(image);
+        return false;
+    }
     cairo_save(cairo);
     cairo_translate(cairo, show->layout.fold.x, show->layout.fold.y);
     cairo_scale(cairo, 1. / pixels, 1. / pixels);

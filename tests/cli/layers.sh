@@ -39,7 +39,7 @@ keeps 'lbfgs\.h' 'solver/.*lbfgs\.[ch]'
 keeps '\(suitesparse/\)*cholmod\.h' 'solver/(factor|newton|plbfgs)\.[ch]'
 keeps 'sha2\.h' 'output/file\.c'
 keeps 'cairo.*\.h' 'drawing/.*'
-keeps 'png\.h' 'charts/picture\.c'
+keeps 'png\.h' '(charts/picture|drawing/packed)\.c'
 keeps 'cmocka\.h' 'none'
 
 finish

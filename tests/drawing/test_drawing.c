@@ -19,6 +19,7 @@
 #include "drawing/canvas.h"
 #include "drawing/colours.h"
 #include "drawing/lettering.h"
+#include "drawing/packed.h"
 
 /* ---- files ---- */
 
@@ -130,6 +131,86 @@ static void png_has_limits(void **state)
     assert_true(refused(CANVAS_PNG, 10001, 10000, 1));
     assert_false(refused(CANVAS_SVG, 1e6, 1e6, 1));
     assert_false(refused(CANVAS_PDF, 1e6, 1e6, 1));
+}
+
+/* ---- packed images ---- */
+
+enum { EDGE = 37 };
+
+/* Every alpha and colours of all kinds, as cairo has them: none above its alpha. */
+static cairo_surface_t *paint_image(cairo_format_t format)
+{
+    cairo_surface_t *image = cairo_image_surface_create(format, EDGE, EDGE);
+    uint32_t *pixel = (uint32_t *)(void *)cairo_image_surface_get_data(image);
+    for (uint32_t i = 0; i < EDGE * EDGE; i++) {
+        uint32_t alpha = format == CAIRO_FORMAT_RGB24 ? 255 : i % 256;
+        pixel[i] = alpha << 24 | alpha * (i % 7) / 6 << 16 | alpha * (i % 11) / 10 << 8 | alpha * (i % 3) / 2;
+    }
+    cairo_surface_mark_dirty(image);
+    return image;
+}
+
+static cairo_status_t give(void *self, unsigned char *bytes, unsigned n)
+{
+    struct bytes *rest = self;
+    if (n > rest->n)
+        return CAIRO_STATUS_READ_ERROR;
+    memcpy(bytes, rest->at, n);
+    rest->at += n;
+    rest->n -= n;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+/* cairo's own reader finds the pixels that were packed. */
+static void check_packed(cairo_format_t format, enum packed_as as)
+{
+    cairo_surface_t *image = paint_image(format);
+    size_t size;
+    unsigned char *png = packed_png(image, as, &size);
+    assert_non_null(png);
+    struct bytes rest = {(char *)png, size};
+    cairo_surface_t *back = cairo_image_surface_create_from_png_stream(give, &rest);
+    assert_int_equal(cairo_surface_status(back), CAIRO_STATUS_SUCCESS);
+    assert_int_equal(cairo_image_surface_get_format(back), format);
+    assert_int_equal(cairo_image_surface_get_width(back), EDGE);
+    assert_int_equal(cairo_image_surface_get_height(back), EDGE);
+    assert_memory_equal(cairo_image_surface_get_data(back), cairo_image_surface_get_data(image), 4 * EDGE * EDGE);
+    cairo_surface_destroy(back);
+    cairo_surface_destroy(image);
+    free(png);
+}
+
+static void packed_images_come_back(void **state)
+{
+    (void)state;
+    for (enum packed_as as = PACKED_FLAT; as <= PACKED_GRADUAL; as++) {
+        check_packed(CAIRO_FORMAT_ARGB32, as);
+        check_packed(CAIRO_FORMAT_RGB24, as);
+    }
+}
+
+/* An image that was packed and one that was not are two texts in an SVG. */
+static struct bytes paint_svg(bool packed)
+{
+    struct bytes bytes = {0};
+    struct canvas *canvas = canvas_begin(CANVAS_SVG, (struct canvas_size){60, 40, 1}, take, &bytes);
+    cairo_surface_t *image = paint_image(CAIRO_FORMAT_ARGB32);
+    assert_true(!packed || packed_attach(image, PACKED_FLAT));
+    cairo_set_source_surface(canvas->cairo, image, 0, 0);
+    cairo_paint(canvas->cairo);
+    cairo_surface_destroy(image);
+    assert_null(canvas_end(canvas));
+    return bytes;
+}
+
+static void svg_holds_an_image_as_it_was_packed(void **state)
+{
+    (void)state;
+    struct bytes packed = paint_svg(true), plain = paint_svg(false);
+    assert_non_null(strstr(packed.at, "data:image/png;base64,"));
+    assert_string_not_equal(packed.at, plain.at);
+    free(packed.at);
+    free(plain.at);
 }
 
 /* ---- letters ---- */
@@ -249,6 +330,8 @@ int main(void)
         cmocka_unit_test(pdf_has_the_date_it_is_given_or_none),
         cmocka_unit_test(png_has_its_pixels),
         cmocka_unit_test(png_has_limits),
+        cmocka_unit_test(packed_images_come_back),
+        cmocka_unit_test(svg_holds_an_image_as_it_was_packed),
         cmocka_unit_test(every_ascii_glyph_keeps_to_its_place),
         cmocka_unit_test(letters_and_digits_stand_on_the_line),
         cmocka_unit_test(every_ascii_glyph_is_another),
