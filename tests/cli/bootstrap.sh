@@ -29,6 +29,8 @@ err 'names the packages' 'missing.*: gcc .*libsuitesparse-dev .*libmd-dev'
 err 'says what to do' 'as root: apt-get install gcc'
 err 'stops' 'autoreconf is missing'
 check 'does not try to install' test ! -e "$work/apt"
+exits 1 'and for the tests' env PATH="$work/bin" "$work/tree/bootstrap" check
+check 'says it once' test "$(grep -c 'as root:' "$work/err")" = 1
 
 rm "$work/bin/dpkg-query"
 exits 1 'on another system' env PATH="$work/bin" "$work/tree/bootstrap" build
