@@ -4,7 +4,7 @@
 # median of BENCH_RUNS runs, of one run where that took longer than BENCH_ONCE seconds.
 set -eu
 : "${srcdir:=.}" "${BENCH_RUNS:=3}" "${BENCH_ONCE:=600}"
-: "${BENCH_LIMIT:=$([ -n "${BENCH_LARGE:-}" ] && echo 3600 || echo 120)}"
+: "${BENCH_LIMIT:=$([ -n "${BENCH_LARGE:-}" ] && echo 3600 || echo 900)}"
 weft=${WEFT:-./weft}
 bench=$srcdir/bench
 scenes=$bench/scenes
@@ -39,6 +39,11 @@ figures()       # names -> their values, comma-separated
     awk -f "$bench/report.awk" "$report" | awk -v names="$*" '
         { value[$1] = $2 }
         END { n = split(names, name, " "); for (i = 1; i <= n; i++) printf "%s%s", value[name[i]], i < n ? "," : "\n" }'
+}
+
+stolen()        # -> time that a virtual machine's host took from it, and all time, since it started
+{
+    awk '$1 == "cpu" { for (i = 2; i <= 9; i++) all += $i; print $9, all }' /proc/stat
 }
 
 median()        # numbers, one a line

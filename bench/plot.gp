@@ -34,7 +34,7 @@ set output file("gradient")
 set xlabel "CPU seconds, one thread"
 set ylabel "largest gradient component / (Y h^2)"
 set title "Miura, 12 x 23 stitches, triangles, two cells a stitch"
-plot for [m = 1:4] rows("gradient", "1=miura 2=2 3=" . word("lbfgs plbfgs newton auto", m)) using 10:5 with linespoints \
+plot for [m = 1:4] rows("gradient", "1=miura 2=triangle 3=2 4=" . word("lbfgs plbfgs newton auto", m)) using 11:6 with linespoints \
      lc rgb word(red . " " . blue . " " . green . " " . grey, m) pt 6 + m title word('"plain libLBFGS" preconditioned Newton auto', m)
 
 set output file("scaling")

@@ -35,7 +35,7 @@ awk -F, '
     }' "$results/accuracy.csv" 2>/dev/null || :
 
 awk -F, '
-    NR > 1 && $5 <= 1e-6 { key = $1 ":" $2; if (!((key, $3) in t)) { t[key, $3] = $10; keys[key] = 1 } }
+    NR > 1 && $6 <= 1e-6 { key = $1 ":" $2 ":" $3; if (!((key, $4) in t)) { t[key, $4] = $11; keys[key] = 1 } }
     END {
         for (key in keys) {
             least = t[key, "plbfgs"] < t[key, "newton"] ? t[key, "plbfgs"] : t[key, "newton"]

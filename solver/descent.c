@@ -10,32 +10,43 @@
 
 static const double HANDOVER = 1e-4, CLOSER = 1e-6; /* gradients, young * thickness^2, where Newton takes over */
 enum { NEWTON_TRIES = 8, MOST_PUSHES = 12 };
+enum { NARROW = 16, NARROW_TRIES = 40 };            /* stitches a side; iterations of libLBFGS there */
 
-/* libLBFGS in the factor's coordinates down to a gradient, then Newton for at most so many iterations. */
-static enum outcome approach(struct problem *p, double gradient, int newton, double *x)
+/* The iterations of one minimiser, at most so many more of those allowed. */
+static enum outcome limited(struct problem *p, enum outcome minimise(struct problem *, double *), int most, double *x)
 {
-    double tolerance = p->tolerance, h = p->d->sheet->thickness;
     int limit = p->limit;
-    p->tolerance = fmax(tolerance, gradient * h * h);
-    enum outcome outcome = plbfgs_minimise(p, x);
-    bool reached = outcome == OUTCOME_CONVERGED && p->gradient_max <= tolerance;
-    p->tolerance = tolerance;
-    if (reached || outcome == OUTCOME_LIMIT || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
-        return outcome;
-    if (newton < limit - p->effort->iterations)
-        p->limit = p->effort->iterations + newton;
-    outcome = newton_minimise(p, x);
+    if (most < limit - p->effort->iterations)
+        p->limit = p->effort->iterations + most;
+    enum outcome outcome = minimise(p, x);
     p->limit = limit;
     return outcome;
 }
 
-/* Newton's few factors pay where it converges at once; where it does not, libLBFGS goes on first. */
+/* libLBFGS in the factor's coordinates down to a gradient, then Newton, each for at most so many iterations. */
+static enum outcome approach(struct problem *p, double gradient, int lbfgs, int newton, double *x)
+{
+    double tolerance = p->tolerance, h = p->d->sheet->thickness;
+    p->tolerance = fmax(tolerance, gradient * h * h);
+    enum outcome outcome = limited(p, plbfgs_minimise, lbfgs, x);
+    bool reached = outcome == OUTCOME_CONVERGED && p->gradient_max <= tolerance;
+    p->tolerance = tolerance;
+    if (reached || p->effort->iterations >= p->limit || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
+        return outcome;
+    return limited(p, newton_minimise, newton, x);
+}
+
+/* Newton's few factors pay where it converges at once; where it does not, libLBFGS goes on first.  The factor of a
+ * narrow strip costs so little that Newton's method takes over from a libLBFGS that winds it up turn by turn. */
 static enum outcome settle_fast(struct problem *p, double *x)
 {
-    enum outcome outcome = approach(p, HANDOVER, NEWTON_TRIES, x);
+    const struct sheet *sheet = p->d->sheet;
+    if (p->d->op->retract && (sheet->columns <= NARROW || sheet->rows <= NARROW))
+        return approach(p, HANDOVER, NARROW_TRIES, p->limit, x);
+    enum outcome outcome = approach(p, HANDOVER, p->limit, NEWTON_TRIES, x);
     if (outcome != OUTCOME_LIMIT || p->effort->iterations >= p->limit)
         return outcome;
-    return approach(p, CLOSER, p->limit, x);
+    return approach(p, CLOSER, p->limit, p->limit, x);
 }
 
 static bool doubted(const struct problem *p, const double *x)

@@ -189,7 +189,8 @@ enum outcome plbfgs_minimise(struct problem *p, double *x)
                 outcome = OUTCOME_STALLED;
                 break;
             }
-            if (problem_factor(p, x, HESSIAN_SEMIDEFINITE, 1e-8) != FACTOR_DONE)
+            problem_assemble(p, x, HESSIAN_SEMIDEFINITE);
+            if (problem_factor(p, x, 1e-8) != FACTOR_DONE)
                 break;
             memcpy(run.x0, x, sizeof *x * (size_t)p->d->n);
             scale_first_step(&run);

@@ -23,6 +23,7 @@ void problem_close(struct problem *p)
 {
     factor_free(p->factor);
     free(p->hessian);
+    free(p->diagonal);
     free(p->mass);
     free(p->gradient);
     free(p->trial);
@@ -103,37 +104,46 @@ static void choose_pins(const struct discretisation *d, const double *x, int pin
     }
 }
 
-void problem_regularise(const struct discretisation *d, const double *x, const double *mass, double shift,
-                        double *hessian)
+void problem_regularise(const struct discretisation *d, const double *x, const double *diagonal, const double *mass,
+                        double shift, double *hessian)
 {
-    const int *diagonal = d->pattern.start;
+    const int *at = d->pattern.start;
     double mean = 0;
-    for (int i = 0; i < d->n; i++)
-        mean += hessian[diagonal[i]] / d->n;
-    for (int i = 0; i < d->n; i++)
-        hessian[diagonal[i]] += shift * mass[i];
+    for (int i = 0; i < d->n; i++) {
+        mean += diagonal[i] / d->n;
+        hessian[at[i]] = diagonal[i] + shift * mass[i];
+    }
     if (d->sheet->spring > 0 || shift >= UNPINNED)
         return;
     int pin[6];
     choose_pins(d, x, pin);
     for (int k = 0; k < 6; k++)
-        hessian[diagonal[pin[k]]] += mean;
+        hessian[at[pin[k]]] += mean;
 }
 
-enum factor_result problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift)
+void problem_assemble(struct problem *p, const double *x, enum hessian_kind kind)
+{
+    const int n = p->d->n, *start = p->d->pattern.start;
+    double begin = stopwatch();
+    if (!p->hessian) {
+        p->hessian = MEMORY_ARRAY(double, start[n]);
+        p->diagonal = MEMORY_ARRAY(double, n);
+    }
+    p->d->op->hessian(p->d, x, p->growth, kind, p->hessian);
+    for (int i = 0; i < n; i++)
+        p->diagonal[i] = p->hessian[start[i]];
+    p->effort->assemble_s += stopwatch() - begin;
+}
+
+enum factor_result problem_factor(struct problem *p, const double *x, double shift)
 {
     double start = stopwatch();
-    if (!p->hessian)
-        p->hessian = MEMORY_ARRAY(double, p->d->pattern.start[p->d->n]);
-    p->d->op->hessian(p->d, x, p->growth, kind, p->hessian);
-    problem_regularise(p->d, x, p->mass, shift, p->hessian);
-    double assembled = stopwatch();
-    p->effort->assemble_s += assembled - start;
+    problem_regularise(p->d, x, p->diagonal, p->mass, shift, p->hessian);
     if (!p->factor)
         p->factor = factor_make(&p->d->pattern, p->d->ordered, p->d->parts, p->d->threads);
     enum factor_result result = p->factor ? factor_numeric(p->factor, p->hessian) : FACTOR_NO_MEMORY;
     p->effort->factorisations++;
-    p->effort->factor_s += stopwatch() - assembled;
+    p->effort->factor_s += stopwatch() - start;
     return result;
 }
 

@@ -36,7 +36,8 @@ struct problem {
 
     struct two_level *two_level;    /* instead of a factor, where that does not fit; the caller's, or NULL */
     struct factor *factor;          /* symbolic for the level; NULL until problem_factor needs it */
-    double        *hessian;         /* (pattern.start[n]) */
+    double        *hessian;         /* (pattern.start[n]) NULL until problem_assemble needs it */
+    double        *diagonal;        /* (n) of the Hessian as assembled */
     double        *mass;            /* (n) */
     double        *gradient;        /* (n) at the state last evaluated */
     double        *trial;           /* (n) */
@@ -55,14 +56,15 @@ double problem_evaluate(struct problem *p, const double *x);
 /* y (n): where length * step leads from x; y is neither of them. */
 void problem_move(const struct problem *p, const double *x, double length, const double *step, double *y);
 
-/* Adds shift * mass, and stiffness at the pins of a free sheet, to a Hessian: at
- * any state x the step that solves with it is the free sheet's own, as the
+/* Adds shift * mass, and stiffness at the pins of a free sheet, to a Hessian, whose own diagonal (n) is given apart so
+ * that this can be done again: at any state x the step that solves with it is the free sheet's own, as the
  * gradient does no work along rigid motions. */
-void problem_regularise(const struct discretisation *d, const double *x, const double *mass, double shift,
-                        double *hessian);
+void problem_regularise(const struct discretisation *d, const double *x, const double *diagonal, const double *mass,
+                        double shift, double *hessian);
 
-/* Factors H(x) + shift * mass, rigid modes of a free sheet pinned. */
-enum factor_result problem_factor(struct problem *p, const double *x, enum hessian_kind kind, double shift);
+/* H(x), then as often as wanted H(x) + shift * mass factored, rigid modes of a free sheet pinned. */
+void               problem_assemble(struct problem *p, const double *x, enum hessian_kind kind);
+enum factor_result problem_factor(struct problem *p, const double *x, double shift);
 
 /* Has the state made no sense (op->doubt) for some hundred iterations?  It will not again: to be asked between them. */
 bool problem_lost(struct problem *p, const double *x);

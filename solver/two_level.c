@@ -16,7 +16,8 @@ struct two_level {
     const double  *x_coarse;        /* (coarse n) */
     struct factor *factor;
     double        *H;               /* (pattern.start[n]) of the fine level */
-    double        *H_coarse, *mass; /* (coarse pattern.start[n]), (coarse n); NULL until the factor is renewed */
+    double        *H_coarse;        /* (coarse pattern.start[n]) with the next two NULL until the factor is renewed */
+    double        *diagonal, *mass; /* (coarse n) */
     double        *blocks;          /* (n x block) Cholesky factors of the nodes' own blocks */
     double        *down, *up;       /* (coarse n), (n) */
     double        *r, *z, *v, *Hv;  /* (n) residual, preconditioned, direction, its image */
@@ -41,7 +42,7 @@ void two_level_free(struct two_level *t)
 {
     if (!t)
         return;
-    free(t->H), free(t->H_coarse), free(t->mass), free(t->blocks), free(t->down), free(t->up);
+    free(t->H), free(t->H_coarse), free(t->diagonal), free(t->mass), free(t->blocks), free(t->down), free(t->up);
     free(t->r), free(t->z), free(t->v), free(t->Hv), free(t->part);
     free(t);
 }
@@ -154,12 +155,15 @@ bool two_level_renew(struct two_level *t)
     enum factor_result result = FACTOR_INDEFINITE;
     if (!t->H_coarse) {
         t->H_coarse = MEMORY_ARRAY(double, coarse->pattern.start[coarse->n]);
+        t->diagonal = MEMORY_ARRAY(double, coarse->n);
         t->mass = MEMORY_ARRAY(double, coarse->n);
         coarse->op->mass(coarse, t->mass);
     }
+    coarse->op->restrict_hessian(coarse, t->H_coarse, t->fine, t->H);
+    for (int i = 0; i < coarse->n; i++)
+        t->diagonal[i] = t->H_coarse[coarse->pattern.start[i]];
     for (double shift = 0; result == FACTOR_INDEFINITE && shift < LAST_SHIFT; shift = fmax(8 * shift, FIRST_SHIFT)) {
-        coarse->op->restrict_hessian(coarse, t->H_coarse, t->fine, t->H);
-        problem_regularise(coarse, t->x_coarse, t->mass, shift, t->H_coarse);
+        problem_regularise(coarse, t->x_coarse, t->diagonal, t->mass, shift, t->H_coarse);
         result = factor_numeric(t->factor, t->H_coarse);
     }
     return result == FACTOR_DONE;
