@@ -93,6 +93,27 @@ opens() {
     fi
 }
 
+# A ribbed swatch of 8 columns and 4 rows, to which settings and outputs are added.
+rib_script() {
+    echo 'Cast on 8 sts'
+    echo 'Row 1: *k2, p2; rep from * to end.'
+    echo 'Row 2: *k2, p2; rep from * to end.'
+    echo 'Repeat rows 1-2 2 times.'
+}
+
+# same_again 'FILE...' COMMAND...: the command writes the same bytes a second time.
+same_again() {
+    files=$1
+    shift
+    mkdir first
+    # shellcheck disable=SC2086
+    mv $files first
+    exits 0 'and again' "$@"
+    for file in $files; do
+        check "$file has the same bytes" cmp "$file" "first/$file"
+    done
+}
+
 finish() {
     echo "1..$count"
 }

@@ -4,23 +4,15 @@
 . "${WEFT_SOURCE:-.}/tests/tap.sh"
 cd "$work" || exit 1
 
-cat >rib.knit <<'TEXT'
-Cast on 8 sts
-Row 1: *k2, p2; rep from * to end.
-Row 2: *k2, p2; rep from * to end.
-Repeat rows 1-2 2 times.
+rib_script >rib.knit
+cat >>rib.knit <<'TEXT'
 solve { steps = 1; accuracy = 5% }
 output "a.png" { width = 200 }
 output "a.svg" { view = (200, 20); color = bending; width = 200; chart = on }
 output "a.pdf" { view = side; color = mean; palette = safe; width = 200; background = transparent }
 TEXT
 exits 0 'all formats are written' "$WEFT" -q rib.knit
-mkdir first
-mv a.png a.svg a.pdf first
-exits 0 'and again' "$WEFT" -q rib.knit
-for file in a.png a.svg a.pdf; do
-    check "$file has the same bytes" cmp "$file" "first/$file"
-done
+same_again 'a.png a.svg a.pdf' "$WEFT" -q rib.knit
 exits 0 'a picture asked for on the command line' "$WEFT" -q rib.knit -o picture:b.png
 check 'is there' test -s b.png
 
