@@ -375,8 +375,7 @@ static void narrow_sheets(void **state)
                 good(scene_sheet(size[i][0], size[i][1], plain ? NULL : seed));
 }
 
-/* A thousand plain stitches in a row make a coil of hundreds of turns: its
- * iterations are more than are allowed here, and it says so. */
+/* Plain stitches in a row make a coil of many turns: where its iterations are more than are allowed it says so. */
 static void long_coil(void **state)
 {
     (void)state;
