@@ -71,31 +71,43 @@ static void write_number(struct text *text, const char *before, double value)
     text_print(text, "%s = %s", before, digits);
 }
 
-/* What the wrong side of a stitch shows where nothing is said. */
-static int turned(int id)
+/* What a purl is where nothing is said of it: the knit stitch turned over. */
+static struct stitch unsaid(const struct stitch *stitch, int id)
 {
-    return id == STITCH_K ? STITCH_P : id == STITCH_P ? STITCH_K : id;
+    const struct stitch *k = &stitch[STITCH_K];
+
+    if (id == STITCH_K)
+        return (struct stitch){.symbol = "k", .kx = -1, .ky = 1, .ws = STITCH_P};
+    if (id == STITCH_P)
+        return (struct stitch){.symbol = "p", .kx = 0 - k->kx, .ky = 0 - k->ky, .twist = 0 - k->twist, .ws = STITCH_K};
+    return (struct stitch){.symbol = stitch[id].name, .ws = id};
+}
+
+bool dictionary_defines(const struct stitch *stitch, int id)
+{
+    struct stitch u = unsaid(stitch, id), s = stitch[id];
+
+    return id > STITCH_P || s.kx != u.kx || s.ky != u.ky || s.twist != u.twist || s.ws != u.ws || strcmp(s.symbol, u.symbol) != 0;
 }
 
 static void define(struct text *text, const struct stitch *stitch, int id)
 {
-    const struct stitch *s = &stitch[id];
+    const struct stitch *s = &stitch[id], u = unsaid(stitch, id);
     text_print(text, "stitch %s {", s->name);
     write_number(text, " kx", s->kx);
     write_number(text, "; ky", s->ky);
-    if (s->twist != 0)
+    if (s->twist != u.twist)
         write_number(text, "; twist", s->twist);
-    if (id > STITCH_P && strcmp(s->symbol, s->name) != 0)
+    if (strcmp(s->symbol, u.symbol) != 0)
         text_print(text, "; symbol = \"%s\"", s->symbol);
-    if (s->ws != turned(id))
+    if (s->ws != u.ws)
         text_print(text, "; ws = %s", stitch[s->ws].name);
     text_print(text, " }\n");
 }
 
-/* Knit and purl only where they show something else on the wrong side. */
 void dictionary_define(struct text *text, const struct stitch *stitch, int n)
 {
     for (int id = 0; id < n; id++)
-        if (id > STITCH_P || stitch[id].ws != turned(id))
+        if (dictionary_defines(stitch, id))
             define(text, stitch, id);
 }

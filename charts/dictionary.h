@@ -22,7 +22,10 @@ extern const struct dictionary dictionary_plain;
 /* Of a scene's stitches (n). */
 struct dictionary dictionary_of(const struct stitch *, int n);
 
-/* A `stitch` statement for each that a script must define. */
+/* Whether a script must define this one: all but knit and purl as they are. */
+bool dictionary_defines(const struct stitch *, int id);
+
+/* A `stitch` statement for each of those. */
 void dictionary_define(struct text *, const struct stitch *, int n);
 
 /* The first stitch of the rows worked on the wrong side that none worked there shows; -1: no such. */

@@ -4,17 +4,18 @@
 
 #include <stdio.h>
 
+#include "charts/dictionary.h"
 #include "charts/written.h"
 #include "cli/command.h"
 #include "cli/deliver.h"
 #include "cli/script.h"
 
-/* Is there more in it than knit, and purl that is knit on the other side? */
+/* Is there more in it than knit, and purl that is knit on the other side, as they are unless a script says so? */
 static bool has_own_stitches(const struct scene *scene)
 {
     long long plain = grid_count(scene->grid, STITCH_K) + grid_count(scene->grid, STITCH_P);
-    return plain < (long long)scene->grid->columns * scene->grid->rows || scene->stitch[STITCH_K].ws != STITCH_P ||
-           scene->stitch[STITCH_P].ws != STITCH_K;
+    return plain < (long long)scene->grid->columns * scene->grid->rows || dictionary_defines(scene->stitch, STITCH_K) ||
+           dictionary_defines(scene->stitch, STITCH_P);
 }
 
 static enum status write_pattern(struct text *text, const struct scene *scene, bool round)

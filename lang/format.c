@@ -221,7 +221,7 @@ static bool has_skipped_words(const struct format *f, const struct token *first,
 /* What pages write in words of their own keeps them. */
 static bool has_own_words(const struct format *f, const struct token *first, const struct stmt *stmt)
 {
-    static const int words[] = {TOKEN_SETUP,     TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK,
+    static const int words[] = {TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK,
                                 TOKEN_WORK_ROWS, TOKEN_FABRIC,    TOKEN_TO_FIT,     TOKEN_LAST_REPEAT, TOKEN_SIZES,
                                 TOKEN_AND_ALL,   TOKEN_TOTAL,     TOKEN_FOR_TOTAL,  TOKEN_UNTIL_LENGTH, TOKEN_GO_ON_ROWS,
                                 TOKEN_STARTING,  TOKEN_REPEAT_THEM, TOKEN_THEN_ROWS, TOKEN_FOR_ROWS,   TOKEN_EDGES,
@@ -235,6 +235,8 @@ static bool has_own_words(const struct format *f, const struct token *first, con
     for (const struct row_numbers *part = row ? row->numbers : NULL; part; part = part->next)
         if (part->all == ALL_EVERY)
             return true;
+    if (row && row->setup)
+        return true;
     return row && row->reference && (row->times || row->reference->next || row->reference->last || row->reference->all);
 }
 

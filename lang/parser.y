@@ -149,6 +149,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token <side> ROW_WORD  "'rows'"
 %token NEXT_ROWS        "'next' so many rows"
 %token RIDGES           "'ridges'"
+%token SETUP_ROW        "'set-up row' behind its number"
 %token <all> ALL        "'all rows'"
 %token <side> SIDE      "RS or WS"
 %token <all> AND_ALL    "'and all rows'"
@@ -403,6 +404,8 @@ row_head:
 | ROW row_sides parts                   { $$ = syntax_head(parse, $ROW, $2, $parts.first); }
 | NEXT_ROWS count more ROW_WORD row_sides
                                         { $$ = syntax_head(parse, $ROW_WORD, SIDE_OPEN, NULL); $$.count = $count; $$.starting = $row_sides; }
+| ROW row_sides[side] parts SETUP_ROW row_sides[behind]
+                                        { $$ = syntax_head(parse, $ROW, $behind ? $behind : $side, $parts.first); $$.setup = true; }
 | SIDE ROW parts                        { $$ = syntax_head(parse, $ROW, $SIDE, $parts.first); }
 | ALL                                   { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, NULL, $ALL.kind)); }
 | SETUP row_sides                       { $$ = syntax_head(parse, $SETUP, $2, NULL); $$.setup = true; }

@@ -287,14 +287,15 @@ static void check_side(struct row_list *list, const struct row_text *text, int i
     if (!text->side || text->side == side)
         return;
     diag_error(list->diag, CODE_ROW_SIDE, text->head, "row %d is marked %s, but it is worked on the %s",
-               text->label, mark, side == SIDE_RS ? "right side" : "wrong side");
+               text->label ? text->label : i + 1, mark, side == SIDE_RS ? "right side" : "wrong side");
     if (repeated) {
         diag_note(list->diag, list->span, "repeated here: %s", repeated == 1
                       ? "the same words on both sides, or a row between that is not named"
                       : "an odd number of rows turns the sides around");
         diag_hint(list->diag, "for the same words on both sides leave out %s; else repeat as many RS rows as WS rows", mark);
     } else {
-        diag_hint(list->diag, i + 1 == text->label ? "RS and WS rows take turns"
+        diag_hint(list->diag, !text->label             ? "write the row between, which is not named: `Next row: ...`"
+                              : i + 1 == text->label ? "RS and WS rows take turns"
                                                    : "repeating an odd number of rows turns the sides around");
     }
     fail(list);

@@ -457,6 +457,13 @@ static size_t sizes_length(const char *text, int *n)
     return *n ? (size_t)(close + 1 - text) : 0;
 }
 
+int scanner_size_list(struct scanner *scanner, struct span span)
+{
+    diag_error(scanner->parse->diag, CODE_MANY_SIZES, span, "the numbers of several sizes: which is to be knitted is open");
+    diag_hint(scanner->parse->diag, "keep the number of one size");
+    return TOKEN_KNIT_error;
+}
+
 bool scanner_sizes(struct scanner *scanner, struct span bracket)
 {
     const char *text = scanner->parse->text + bracket.start, *behind;

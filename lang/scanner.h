@@ -104,6 +104,9 @@ void scanner_following(KNIT_STYPE *, const char *text);
 /* Whether a bracket here holds the numbers of further sizes, `4 (5, 6) times`: reports it. */
 bool scanner_sizes(struct scanner *, struct span bracket);
 
+/* `40-44-48`, of which this is all but the first: reports it; the parser's error token. */
+int scanner_size_list(struct scanner *, struct span);
+
 /* Whether what was read last ends a repeat: its second star, or `rep from *`. */
 bool scanner_closes_repeat(const struct scanner *);
 

@@ -114,6 +114,19 @@ static const char *all_rows(const char *text, size_t *length)
     return NULL;
 }
 
+/* `Al WS rows: purl` */
+static const char *meant_all(const char *text, const char *word, const char *next)
+{
+    static const char *const all[] = {"all", "every", "each"}, *const which[] = {"rs", "ws", "right", "wrong", "even", "odd", "other", "alternate"};
+    struct nearest nearest = {word, NULL, 2};
+    size_t length;
+
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        nearest_offer(&nearest, all[i]);
+    return nearest.distance == 1 && is_one_of(next, which, sizeof which / sizeof *which) && strcspn(text, ":") < strcspn(text, "\r\n") &&
+                   !all_rows(text, &length) ? nearest.best : NULL;
+}
+
 const char *typos_beginning(const char *text, size_t *length)
 {
     static const struct {
@@ -125,6 +138,9 @@ const char *typos_beginning(const char *text, size_t *length)
 
     if (!copy_word(text, word) || !copy_word(text + behind, next))
         return NULL;
+    *length = n;
+    if (meant_all(text, word, next))
+        return meant_all(text, word, next);
     *length = behind + strlen(next);
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
         struct nearest nearest = {next, NULL, 2};

@@ -38,6 +38,8 @@ static const struct phrase table[] = {
 
     /* a repeat */
     {"rep.|rpt", "rep"},
+    {"(|[ =knit|k|purl|p =all? =the =knits|knit|k|purls|purl|p =sts|stitches? =,? =and? =purl|p|knit|k =all? =the? =purls|purl|p|knits|knit|k =sts|stitches? )|]", ""},
+    {"(|[ work all? the? sts|stitches as they appear|come|lie|face )|]", "k k st p p st"},
     {"( =# =times )", ""},
     {"repeat|rep to|until|till desired|required|wanted|needed", "rep as desired"},
     {"=repeat|rep between|within|inside? the? parentheses|brackets", ""},
@@ -75,6 +77,15 @@ static const struct phrase table[] = {
     {"< next =# =rows|rounds|rnds :|,? work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work"},
     {"< next row|round|rnd :|, work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work 1 row"},
     {"< work|knit|make =# garter? =ridge|ridges", "work"},
+
+    /* a row named by its side */
+    {"> on the? =next =row|rnd|round", ""},
+    {"> on? the? following row", "next row"},
+    {"> on? the? next|following rs|right -? side? row", "row (RS)"},
+    {"> on? the? next|following ws|wrong -? side? row", "row (WS)"},
+    {"> on =all|every|each =rs|ws|right|wrong|even|odd|other|alternate|alt? =-? =side? =row|rows|rnd|rnds|round|rounds", ""},
+    {"> on =rs|ws|right|wrong =-? =side? =rows", ""},
+    {"^ =# garter =ridge|ridges", ""},
 
     /* widths */
     {"multiples of", "multiple of"},
@@ -149,6 +160,14 @@ static bool changes(const char *text, const struct found *found)
     return breaks(text, found);
 }
 
+/* Whether behind a row's name its stitches follow, or `work`. */
+static bool work_follows(const char *text)
+{
+    text += strspn(text, " \t");
+    text += strspn(text, ":,;") + strspn(text + strspn(text, ":,;"), " \t");
+    return prose_stitches_follow(text) || one_of("knit|purl|k|p|work", text);
+}
+
 /* Makes room, and puts the plain wording where the first word was that goes. */
 static bool put_plain(char *text, const struct found *found, const char *plain)
 {
@@ -210,8 +229,8 @@ static void put_phrase(struct wording *w, struct phrases *phrases, size_t at)
     for (int i = 0; (i = phrases_find(phrases, w->text, at, i, &found)) >= 0; i++) {
         char mark = *table[i].words;
 
-        if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)) ||
-            (mark == '<' && breaks(w->text, &found)))
+        if ((mark == '@' && !behind_stitch(w->text, at)) || (strchr("^>", mark) && !begins_line(w->text, at)) ||
+            (strchr("<>", mark) && breaks(w->text, &found)) || (mark == '>' && !work_follows(w->text + found.end[found.n - 1])))
             continue;
         if (changes(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
             return;

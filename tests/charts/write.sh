@@ -135,6 +135,20 @@ Row 3 (RS): T. (12 sts)
 Bind off.
 TEXT
 
+writes 'knit and purl of other curvatures' 'stitch K { kx = -0.5; twist = 0.1; symbol = "v" }|stitch P { ky = -2; twist = 0 }|Row 1: k2, p1' <<'TEXT'
+stitch K { kx = -0.5; ky = 1; twist = 0.1; symbol = "v" }
+stitch P { kx = 0.5; ky = -2; twist = 0 }
+Cast on 3 sts.
+Row 1 (RS): k2, p1. (3 sts)
+Bind off.
+TEXT
+writes 'purl that follows knit needs no words' 'stitch K { kx = -0.5 }|Row 1: k2, p1' <<'TEXT'
+stitch K { kx = -0.5; ky = 1 }
+Cast on 3 sts.
+Row 1 (RS): k2, p1. (3 sts)
+Bind off.
+TEXT
+
 # ---- there and back ----
 
 # back SCRIPT OPTION...: the written text of the script gives its grid.
