@@ -5,6 +5,7 @@ liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/code
     lang/names.h lang/names.c lang/ast.h lang/ast.c lang/parse.h lang/parse.c \
     lang/scanner.h lang/scanner.c lang/syntax.h lang/syntax.c lang/prose.h lang/prose.c lang/wording.h lang/wording.c \
     lang/phrases.h lang/phrases.c \
+    lang/signs.h lang/signs.c \
     lang/typos.h lang/typos.c \
     lang/eval.h lang/eval.c lang/module.c lang/stitches.c lang/motif.c lang/builtin.c lang/body.c lang/lower.h lang/lower.c \
     lang/refused.h lang/refused.c lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/rows.h lang/rows.c \

@@ -42,6 +42,7 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
     switch (until->kind) {
     case UNTIL_ONCE:
         work->until = item->kind == ITEM_REP_FROM || item->kind == ITEM_STARS ? WORK_FIT : WORK_TIMES;
+        work->bare = item->kind == ITEM_GROUP;
         return true;
     case UNTIL_TIMES:
         work->until = item->kind == ITEM_REP_FROM ? WORK_EITHER : WORK_TIMES;

@@ -340,6 +340,8 @@ multiple:
   MULTIPLE_OF count sts                 { $$ = (struct multiple){$count, NULL, @$}; }
 | MULTIPLE_OF count[of] sts '+' count[plus] sts
                                         { $$ = (struct multiple){$of, $plus, @$}; }
+| MULTIPLE_OF count[of] sts '+' count[plus] sts '+' count[edge] sts
+                                        { $$ = (struct multiple){$of, BINARY(OP_ADD, @$, $plus, $edge), @$}; }
 | MULTIPLE_OF count sts EDGES           { $$ = syntax_parity(parse, @$, 1, 0); (void)$count; }
 | NUMBER_OF                             { $$ = syntax_parity(parse, @$, $1.of, $1.plus); }
 ;

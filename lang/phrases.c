@@ -7,7 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { WORDS = 256, BUCKETS = 1024, ALTERNATIVES = 2048, PIECES = 1024, MOST = 128 };
+enum { WORDS = 512, BUCKETS = 1024, ALTERNATIVES = 2048, PIECES = 1024, MOST = 128 };
 
 /* The words are numbered; the first stand for `#`, as figures do. */
 enum { NO_WORD, NUMBER, LAST_NUMBER = 12 };
@@ -34,8 +34,8 @@ struct word {
 struct phrases {
     int nwords, nalternatives, npieces;
     struct word word[WORDS];
-    unsigned char bucket[BUCKETS];
-    unsigned char alternative[ALTERNATIVES]; /* numbers of words */
+    unsigned short bucket[BUCKETS];
+    unsigned short alternative[ALTERNATIVES]; /* numbers of words */
     struct piece piece[PIECES];
     unsigned short start[MOST + 1]; /* of a phrase's pieces; behind the last: the end */
     struct set alone; /* may be a single word */
@@ -60,10 +60,10 @@ static unsigned hash_of(const char *text, size_t length)
 }
 
 /* The bucket of a word, or the empty one that is its. */
-static unsigned char *bucket_of(struct phrases *phrases, const char *text, size_t length, unsigned hash)
+static unsigned short *bucket_of(struct phrases *phrases, const char *text, size_t length, unsigned hash)
 {
     for (unsigned at = hash;; at++) {
-        unsigned char *bucket = &phrases->bucket[at % BUCKETS];
+        unsigned short *bucket = &phrases->bucket[at % BUCKETS];
         const struct word *word = &phrases->word[*bucket];
 
         if (!*bucket || (word->hash == hash && word->length == length && strncasecmp(word->text, text, length) == 0))
@@ -74,12 +74,12 @@ static unsigned char *bucket_of(struct phrases *phrases, const char *text, size_
 static int word_number(struct phrases *phrases, const char *text, size_t length)
 {
     unsigned hash = hash_of(text, length);
-    unsigned char *bucket = bucket_of(phrases, text, length, hash);
+    unsigned short *bucket = bucket_of(phrases, text, length, hash);
 
     if (!*bucket) {
         assert(phrases->nwords < WORDS && length < 256);
         phrases->word[phrases->nwords] = (struct word){.text = text, .length = (unsigned char)length, .hash = hash};
-        *bucket = (unsigned char)phrases->nwords++;
+        *bucket = (unsigned short)phrases->nwords++;
     }
     return *bucket;
 }
@@ -132,7 +132,7 @@ static void read_piece(struct phrases *phrases, const char *text, size_t length)
         n = word + n > end ? (size_t)(end - word) : n;
         assert(phrases->nalternatives < ALTERNATIVES);
         phrases->alternative[phrases->nalternatives++] =
-            (unsigned char)(n == 1 && *word == '#' ? NUMBER : word_number(phrases, n == 1 && *word == '~' ? "#" : word, n));
+            (unsigned short)(n == 1 && *word == '#' ? NUMBER : word_number(phrases, n == 1 && *word == '~' ? "#" : word, n));
         word += n + 1;
     }
 }
@@ -200,7 +200,10 @@ size_t phrases_skip(const char *text, size_t at)
 
 static bool has(const struct phrases *phrases, const struct piece *piece, int word)
 {
-    return word && memchr(phrases->alternative + piece->first, word, piece->n);
+    for (int i = 0; word && i < piece->n; i++)
+        if (phrases->alternative[piece->first + i] == word)
+            return true;
+    return false;
 }
 
 static bool match(struct phrases *phrases, int piece, int end, const char *text, size_t at, struct found *found)

@@ -12,7 +12,7 @@
 #include "lang/syntax.h"
 #include "lang/typos.h"
 
-enum { TITLE_LINES = 3, TITLE_WORDS = 10, SENTENCE = 6, LONGEST = 4000 };
+enum { TITLE_LINES = 3, TITLE_WORDS = 10, SENTENCE = 6, LONG_SENTENCE = 8, SHORT_SENTENCE = 2, LONGEST = 4000 };
 
 static size_t line_length(const char *text)
 {
@@ -229,6 +229,13 @@ bool prose_stitches_follow(const char *text)
            (isdigit((unsigned char)*next) && !is_rows_word(skip_blanks(next + strspn(next, "0123456789"))));
 }
 
+bool prose_repeat_follows(const char *text)
+{
+    static const char *const word[] = {"rep", "repeat"};
+
+    return is_one_of(skip_blanks(text), word, 2);
+}
+
 bool prose_count_follows(const char *text)
 {
     const char *sts;
@@ -375,6 +382,10 @@ static int count_words(const char *text)
     return words;
 }
 
+/* Words that begin a sentence, though some are nearly a statement's. */
+static const char *const sentence_word[] = {"the", "this", "you", "it", "we", "my", "how", "when", "now", "our", "your", "there", "these", "that", "then"};
+enum { nsentence_words = sizeof sentence_word / sizeof *sentence_word };
+
 /* `Casst`, `swach`: the first word is nearly a statement's. */
 static bool is_nearly_statement(const char *text)
 {
@@ -382,7 +393,7 @@ static bool is_nearly_statement(const char *text)
     size_t n = word_length(text);
     struct nearest nearest;
 
-    if (n < 3 || n >= sizeof word || text[n] == '-')
+    if (n < 3 || n >= sizeof word || text[n] == '-' || is_one_of(text, sentence_word, nsentence_words))
         return false;
     memcpy(word, text, n);
     nearest = nearest_to(word);
@@ -430,20 +441,50 @@ static bool has_call(const char *text)
     return false;
 }
 
+/* Whether so many plain words stand on the line that signs and stitches among them do not matter. */
+static bool is_long_sentence(const char *text)
+{
+    static const char *const work[] = {"knit", "purl", "repeat", "rep", "from", "end", "row", "rows", "last", "sts", "times", "stitches",
+                                       "twice", "stitch", "until", "remaining", "again", "more", "across", "then", "and", "the", "once"};
+    size_t n = line_length(text);
+    int words = 0;
+
+    for (size_t at = 0, length; at < n; at += length ? length : 1) {
+        length = word_length(text + at);
+        words += length > 2 && !is_one_of(text + at, work, sizeof work / sizeof *work);
+    }
+    return words >= (is_one_of(text, sentence_word, nsentence_words) ? SHORT_SENTENCE : LONG_SENTENCE) && text[word_length(text)] == ' ';
+}
+
 bool prose_reads(const char *text, bool loose)
 {
+    text += *text == '(' && isupper((unsigned char)text[1]) && count_words(text) >= SENTENCE;
     if (line_length(text) > LONGEST || line_has(text, "{}") || is_mistyped(text))
         return false;
-    if (loose)
+    if (loose || is_long_sentence(text))
         return true;
     return !line_has(text, "[]\"=<>*|") && !has_stitches(text) && !has_call(text) &&
            (word_length(text) > 0 || (isdigit((unsigned char)*text) && count_words(text) >= SENTENCE)) && (count_words(text) > 1 || line_has(text, ":!"));
+}
+
+/* `Set 1:`, `Section B` on a line. */
+static bool is_numbered_heading(const char *text)
+{
+    size_t n = word_length(text), digits = strspn(text + n + 1, "0123456789"), end;
+
+    if (n < 3 || text[n] != ' ' || is_rows_word(text) || !isupper((unsigned char)*text))
+        return false;
+    end = n + 1 + (digits ? digits : isupper((unsigned char)text[n + 1]) != 0);
+    return end > n + 1 && (text[end] == ':' ? prose_line_ends(text + end + 1) : text[end] && prose_line_ends(text + end) && !digits);
 }
 
 /* `Ribbing` alone above a row. */
 static bool is_heading(const char *text)
 {
     size_t n = word_length(text);
+
+    if (is_numbered_heading(text))
+        return true;
 
     return n > 3 && isupper((unsigned char)*text) && prose_line_ends(text + n) && !is_nearly_statement(text) &&
            prose_statement_follows(next_line(text));
@@ -472,7 +513,7 @@ bool prose_is_title(const char *text)
 
 void prose_warn_hidden(struct scanner *scanner, struct span line)
 {
-    const char *text = SCANNER_TEXT(scanner) - (line.end - line.start);
+    const char *text = scanner->parse->text + line.start;
 
     for (unsigned i = 1; i < line.end - line.start; i++) {
         struct span span = {line.source, line.start + i, line.end};
@@ -506,6 +547,15 @@ static int block_length(const char *text, const char **end)
     return n;
 }
 
+bool prose_of_multiple(const struct scanner *scanner)
+{
+    const char *text = SCANNER_TEXT(scanner);
+
+    while (text > scanner->parse->text && !strchr("\r\n", text[-1]))
+        text--;
+    return line_has_word(text, "multiple") || line_has_word(text, "multiples") || line_has_word(text, "mult");
+}
+
 bool prose_sizes(struct scanner *scanner, struct span line)
 {
     static const char *const word[] = {"row", "rows", "rnd", "rnds", "round", "rounds", "times", "more"};
@@ -531,8 +581,10 @@ bool scanner_prose(struct scanner *scanner)
 
     if (scanner->at < scanner->prose_end)
         return prose_reads(text, false);
-    if (scanner->section && prose_reads(text, true) && !syntax_is_row(text))
+    if (scanner->section && prose_reads(text, true) && !syntax_is_row(text)) {
+        prose_warn_hidden(scanner, span);
         return true;
+    }
     if (!scanner->begun && scanner->titles < TITLE_LINES && prose_is_title(text)) {
         scanner->titles++;
         return true;

@@ -21,6 +21,7 @@ bool prose_repeats_rows(const char *text);          /* behind `repeat`: rows, no
 bool prose_fabric_follows(const char *text);        /* "garter st", "k2, p2 rib" */
 bool prose_has_cast_on(const char *text);           /* "20 sts": so many stitches come next */
 bool prose_stitches_follow(const char *text);       /* a row's text, of a list that numbers its rows */
+bool prose_repeat_follows(const char *text);        /* "rep", "repeat" */
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */
 bool prose_row_is_named(const char *text);          /* "row:" */
@@ -38,6 +39,9 @@ size_t prose_row_count(const char *sentence);
 
 /* Warns of a row or a cast-on in a line that is taken as text. */
 void prose_warn_hidden(struct scanner *, struct span line);
+
+/* Whether the line the scanner is in speaks of a multiple. */
+bool prose_of_multiple(const struct scanner *);
 
 /* Whether numbers of several sizes stand in a part of a line, `4 (6, 8) rows`: reports them. */
 bool prose_sizes(struct scanner *, struct span);

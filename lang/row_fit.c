@@ -188,6 +188,32 @@ static void warn_stop(struct diag *diag, struct work *work, long long stop)
     diag_hint(diag, "`ending last rep ..` says it");
 }
 
+/* The one group of a row without a number of times, where it fills the width when repeated; NULL: none. */
+static struct work *fills_row(const struct row_text *row, const struct fit *fit, long long width, long long *n)
+{
+    struct work *one = NULL;
+
+    for (struct work *work = row->work; work; work = work->next)
+        if (work->bare) {
+            if (one)
+                return NULL;
+            one = work;
+        }
+    if (!one || fit->multiple || width <= fit->plus || (width - fit->plus) % one->length)
+        return NULL;
+    *n = 1 + (width - fit->plus) / one->length;
+    return one;
+}
+
+static void warn_fills(struct diag *diag, struct work *work)
+{
+    if (work->told)
+        return;
+    work->told = true;
+    diag_warning(diag, CODE_ASSUMED_REPEAT, work->span, "how often this is worked is not said: as often as fills the row");
+    diag_hint(diag, "`[..] 3 times`, or `*..; rep from * to end`");
+}
+
 static bool open_end(struct diag *diag, const struct work *work, long long *left)
 {
     *left = work->until == WORK_FIT ? length_behind(work) : work->n;
@@ -452,8 +478,8 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
     const char *left = who_left(diag->arena, from, before, width);
     stitch_id *to = worked, *end = worked + width;
     bool either = false;
-    struct work *short_one = NULL;
-    long long stop;
+    struct work *short_one = NULL, *filling = NULL;
+    long long stop, often = 1;
     struct fit fit;
 
     if (row->cut)
@@ -472,11 +498,15 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
             return false;
         if (!fit_has(&fit, width)) {
             short_one = stops_short(row, width, &stop);
-            if (!short_one) {
+            filling = fills_row(row, &fit, width, &often);
+            if (!short_one && !filling) {
                 misfit(diag, row, &fit, width, left);
                 return false;
             }
-            warn_stop(diag, short_one, stop);
+            if (short_one)
+                warn_stop(diag, short_one, stop);
+            else
+                warn_fills(diag, filling);
         }
     }
     if (row->check >= 0 && row->check != width) {
@@ -491,6 +521,8 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
 
         if (work == short_one)
             n = (end - to) / work->length + 1;
+        else if (work == filling)
+            n = often;
         else if (work->until == WORK_EITHER)
             n = reading_that_fits(row, work, width);
         else if (work->until == WORK_LAST)

@@ -39,6 +39,7 @@ struct work {
     long long       n;
     bool            ending;     /* WORK_FIT: what follows may be the end of the last time, */
     bool            told;       /* which was said */
+    bool            bare;       /* a group without a number of times: once, or as often as fills the row */
     struct work    *next;
 };
 

@@ -80,7 +80,7 @@ bool scanner_begins_item(const struct scanner *scanner)
 {
     int previous = scanner->previous;
 
-    return scanner->comma || previous == ':' || previous == '(' || previous == '[' || (previous == TOKEN_STAR && scanner->star);
+    return scanner->comma || previous == ':' || previous == '(' || previous == '[' || previous == TOKEN_TO_FIT || (previous == TOKEN_STAR && scanner->star);
 }
 
 static size_t word_length(const char *text)
@@ -629,15 +629,28 @@ static bool goes_on(int token)
     return false;
 }
 
+/* What ends a row, behind `end`: `k1`, `with k1`; not `heart`. */
+static bool ends_row(const char *text)
+{
+    static const char *const words[] = {"with", "in", "last", "after", "on", "knit", "purl", "row", "rnd", "round", "rep", "repeat"};
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (is_word(text, word_length(text), words[i]))
+            return true;
+    return syntax_is_row(text);
+}
+
 /* In a row: after a comma, an open star or a colon, and before `rep from`. */
 static bool row_goes_on(const struct scanner *scanner, const char *text)
 {
-    static const char *const words[] = {"st", "sts", "stitch", "stitches", "to", "across", "last", "end", "ending", "from"};
+    static const char *const words[] = {"st", "sts", "stitch", "stitches", "to", "across", "last", "from"};
     size_t length = word_length(text);
 
     /* `rep from *`, `rep to end`; not `repeat for pattern`, `rep 1st and 2nd rows`. */
     if (is_word(text, length, "rep") || is_word(text, length, "repeat"))
         return !prose_repeats_rows(text + length);
+    if (is_word(text, length, "end") || is_word(text, length, "ending"))
+        return ends_row(text + length + strspn(text + length, " \t"));
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (is_word(text, length, words[i]))
             return !prose_fabric_follows(text + length + strspn(text + length, " \t"));

@@ -10,6 +10,7 @@
 
 #include "lang/phrases.h"
 #include "lang/prose.h"
+#include "lang/signs.h"
 
 static const struct phrase table[] = {
     /* to the end */
@@ -87,7 +88,25 @@ static const struct phrase table[] = {
     {"> on =rs|ws|right|wrong =-? =side? =rows", ""},
     {"^ =# garter =ridge|ridges", ""},
 
+    /* so many more times */
+    {"another|again|further|additional|extra # times|x|time", "# more times"},
+    {"a|an|for|yet another|further|additional|extra # times|x|time", "# more times"},
+    {"# additional|further|other|extra times", "# more times"},
+    {"( =# =x )", ""},
+    {"=rep|repeat this|the # -? row|rows|round|rnd -? repeat|pattern|patt|pat|section|sequence", "these # rows"},
+    {"=rep|repeat the? above|preceding|previous # =rows|rounds|rnds", "last #"},
+    {"=row|rows|rounds|rnds to create|make|get|continue|complete|produce|build", "until"},
+
+    {"=knit|k =# =rows in? garter|g st|stitch?", ""},
+    {"=knit|purl|k|p =all? =the? =k|p|knit|purl|knits|purls =sts|stitches|st? as they appear|come|lie|present", ""},
+    {"=# =rows|rounds|rnds for a|the|your? border|edging|edge|hem", ""},
+    {"approximately|approx.|approx|about|roughly =# =times|more", ""},
+    {"unless otherwise|else stated|noted|indicated|specified|instructed|directed", ""},
+    {"=# =rows|rounds|rnds - =garter|seed|moss|stockinette", ""},
+    {"^ repeats : =#", "notes:"},
+
     /* widths */
+    {"any =multiple =of", ""},
     {"multiples of", "multiple of"},
     {"mult. of", "mult of"},
     {"a? number of sts|stitches that|is|are? evenly? divisible by", "multiple of"},
@@ -101,6 +120,10 @@ static const struct phrase table[] = {
     {"last rep|repeat ends|ending with|at|after|in?", "end last rep"},
 
     /* line ends within */
+    {"=end =of =the|this|each? =row|round|rnd", ""},
+    {"=until|till|to =the? =end", ""},
+    {"=until|till =the|your? =piece|work|it|scarf|cloth|blanket|square|you|swatch", ""},
+    {"=until|till|to =desired|required =length", ""},
     {"=# =more =times", ""},
     {"=# =times|sts|stitches", ""},
     {"=to|until =the? =last =#", ""},
@@ -109,7 +132,7 @@ static const struct phrase table[] = {
     {"=cast|bind =on|off", ""},
     {"=same|work =as =row", ""},
 };
-enum { PHRASES = sizeof table / sizeof *table };
+enum { PHRASES = sizeof table / sizeof *table, WORDING = 32 };
 
 /* The length of the first of the words a|b|c that stands in the text; 0: none does. */
 static size_t one_of(const char *words, const char *text)
@@ -168,10 +191,34 @@ static bool work_follows(const char *text)
     return prose_stitches_follow(text) || one_of("knit|purl|k|p|work", text);
 }
 
+static bool is_number(const char *text)
+{
+    return isdigit((unsigned char)*text) || one_of("one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve", text);
+}
+
+/* The plain wording with the phrase's number for its `#`. */
+static size_t with_number(const char *text, const struct found *found, const char *plain, char wording[static WORDING])
+{
+    size_t before = strcspn(plain, "#"), number = 0, i = 0;
+
+    if (!plain[before])
+        return strlen(strcpy(wording, plain));
+    while (i + 1 < (size_t)found->n && !is_number(text + found->start[i]))
+        i++;
+    number = found->end[i] - found->start[i];
+    if (number + strlen(plain) > WORDING)
+        return 0;
+    memcpy(wording, plain, before);
+    memcpy(wording + before, text + found->start[i], number);
+    strcpy(wording + before + number, plain + before + 1);
+    return strlen(wording);
+}
+
 /* Makes room, and puts the plain wording where the first word was that goes. */
 static bool put_plain(char *text, const struct found *found, const char *plain)
 {
-    size_t length = strlen(plain), from = 0, end = found->end[found->n - 1];
+    char wording[WORDING];
+    size_t length = with_number(text, found, plain, wording), from = 0, end = found->end[found->n - 1];
     int first = 0;
 
     while (first < found->n && found->stays[first])
@@ -189,7 +236,7 @@ static bool put_plain(char *text, const struct found *found, const char *plain)
         if (i + 1 < found->n)
             memset(text + found->end[i], ' ', found->start[i + 1] - found->end[i]);
     }
-    memcpy(text + from, plain, length);
+    memcpy(text + from, wording, length);
     return true;
 }
 
@@ -237,6 +284,17 @@ static void put_phrase(struct wording *w, struct phrases *phrases, size_t at)
     }
 }
 
+static void put_sign(struct wording *w, size_t at)
+{
+    char plain[SIGNS_PLAIN];
+    size_t length = signs_length(w->text, at, plain);
+
+    if (length) {
+        memset(own_text(w) + at, ' ', length);
+        memcpy(own_text(w) + at, plain, strlen(plain));
+    }
+}
+
 static void put_rib(struct wording *w, size_t at, size_t length)
 {
     char *text = own_text(w) + at;
@@ -269,7 +327,7 @@ static size_t title_length(const char *text)
     return prose_pattern_follows(text + at + strspn(text + at, " \t")) ? at : 0;
 }
 
-/* Where the sign + or # stands that `rep from +` names; or 0. */
+/* Where the sign + or # or ^ stands that `rep from +` names; or 0. */
 static size_t named_sign(const char *text)
 {
     static const char *const phrase[] = {"rep|repeat|rpt", "from|between|bet|btw", "the"};
@@ -282,7 +340,7 @@ static size_t named_sign(const char *text)
             return 0;
         at += n + strspn(text + at + n, " \t");
     }
-    return strchr("+#", text[at]) && text[at] && !isalnum((unsigned char)text[at + 1]) ? at : 0;
+    return strchr("+#^@~", text[at]) && text[at] && !isalnum((unsigned char)text[at + 1]) ? at : 0;
 }
 
 /* Puts stars for the signs of `+k2, p2; rep from +`, where the row has one or a pair of them and no star. */
@@ -335,13 +393,15 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         if (c == '(' && rib_length(w.text + at))
             put_rib(&w, at, rib_length(w.text + at));
         if (at == 0 || strchr("\r\n", w.text[at - 1])) {
-            size_t title = title_length(w.text + at);
+            size_t mark = at + strspn(w.text + at, " \t-"), title = title_length(w.text + mark);
 
             if (title)
-                memset(own_text(&w) + at, ' ', title);
+                memset(own_text(&w) + mark, ' ', title);
         }
         if (strchr("rR", c) && strchr("eEpP", w.text[at + 1]) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && named_sign(w.text + at))
             put_stars(&w, at);
+        put_sign(&w, at);
+        c = (unsigned char)w.text[at];
         if (isgraph(c))
             put_phrase(&w, phrases, at);
         at++;

@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A place of a text in, what stands for it plainly out: `(left border)` is
+ * nothing, `fifteen times` is 15 times, `Row 1 ~ k2` has a dash. */
+#include "lang/signs.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+static size_t word_length(const char *text)
+{
+    size_t n = 0;
+
+    while (isalpha((unsigned char)text[n]))
+        n++;
+    return n;
+}
+
+/* The number of the list's word that stands in the text; -1: none does. */
+static int word_in(const char *text, const char *const *words, int n)
+{
+    size_t length = word_length(text);
+
+    for (int i = 0; i < n; i++)
+        if (strlen(words[i]) == length && strncasecmp(text, words[i], length) == 0)
+            return i;
+    return -1;
+}
+
+/* ---- numbers in letters ---- */
+
+/* `thirteen`, `forty`, `twenty-four`: its bytes, and the number; below thirteen the scanner knows them. */
+static size_t number_length(const char *text, int *number)
+{
+    static const char *const teens[] = {"thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen"},
+                             *const tens[] = {"twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"},
+                             *const ones[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
+    size_t n = word_length(text), behind = n + (text[n] == '-' || text[n] == ' ');
+    int teen = word_in(text, teens, 7), ten = word_in(text, tens, 8), one = word_in(text + behind, ones, 9);
+
+    *number = teen >= 0 ? 13 + teen : 20 + 10 * ten;
+    if (teen < 0 && ten < 0)
+        return 0;
+    if (ten < 0 || one < 0 || behind == n)
+        return n;
+    *number += one + 1;
+    return behind + word_length(text + behind);
+}
+
+/* Whether what is counted stands behind, or `cast on`, `knit` before: elsewhere it may be a name. */
+static bool is_count(const char *text, size_t at, size_t length)
+{
+    static const char *const counted[] = {"st", "sts", "stitch", "stitches", "row", "rows", "rnd", "rnds", "round", "rounds", "time", "times", "more"},
+                             *const before[] = {"on", "k", "p", "knit", "purl", "row", "rows", "of", "last"};
+    const char *behind = text + at + length;
+    size_t end;
+
+    if (word_in(behind + strspn(behind, " \t"), counted, sizeof counted / sizeof *counted) >= 0)
+        return true;
+    while (at > 0 && strchr(" \t", text[at - 1]))
+        at--;
+    for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
+        at--;
+    return end > at && word_in(text + at, before, sizeof before / sizeof *before) >= 0;
+}
+
+/* ---- remarks ---- */
+
+/* Words that say where stitches stand or what they look like, not how they are worked. */
+static bool is_remark(const char *text, size_t length)
+{
+    static const char *const where[] = {"border", "borders", "edge", "edges", "edging", "selvedge", "selvage", "center", "centre", "middle",
+                                        "panel", "body", "main", "left", "bottom", "top", "margin", "corner", "sts", "stitches"},
+                             *const work[] = {"k", "p", "knit", "purl", "twice", "once", "thrice", "times", "rep", "repeat", "row", "rows",
+                                              "end", "rs", "ws", "wrong", "all", "st", "stitch", "and"};
+    bool found = false;
+
+    for (size_t at = 0, n; at < length; at += n ? n : 1) {
+        n = word_length(text + at);
+        if (!n && !strchr(" -,:'/", text[at]))
+            return false;
+        if (n && word_in(text + at, work, sizeof work / sizeof *work) >= 0)
+            return false;
+        found |= n && word_in(text + at, where, sizeof where / sizeof *where) >= 0;
+    }
+    return found;
+}
+
+/* Whether `seed stitch`, `rib` stands before: brackets behind that say how it is worked. */
+static bool behind_fabric(const char *text, size_t at)
+{
+    static const char *const fabric[] = {"seed", "moss", "garter", "stitch", "stockinette", "rib", "ribbing"};
+    size_t end;
+
+    while (at > 0 && text[at - 1] == ' ')
+        at--;
+    for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
+        at--;
+    return end > at && word_in(text + at, fabric, sizeof fabric / sizeof *fabric) >= 0;
+}
+
+/* `(left border)`; `(K1, P1)` behind `seed stitch`, which it begins with, where it is not worked so many times. */
+static size_t remark_length(const char *text, size_t at)
+{
+    static const char *const times[] = {"x", "twice", "thrice", "once", "to", "rep", "repeat", "until", "rib", "ribbing", "across", "around"};
+    const char *here = text + at;
+    size_t close = 1 + strcspn(here + 1, "\r\n()");
+
+    if (here[close] != ')' || close == 1)
+        return 0;
+    if (is_remark(here + 1, close - 1))
+        return close + 1;
+    if (!behind_fabric(text, at) || tolower((unsigned char)here[1]) != 'k')
+        return 0;
+    here += close + 1;
+    here += strspn(here, " \t");
+    return isdigit((unsigned char)*here) || word_in(here, times, sizeof times / sizeof *times) >= 0 ? 0 : close + 1;
+}
+
+/* ---- marks ---- */
+
+/* `:-` and `:—`, a printer's colon: its bytes. */
+static size_t colon_length(const char *text)
+{
+    size_t dash = text[1] == '-' ? 1 : strncmp(text + 1, "\xE2\x80\x93", 3) == 0 || strncmp(text + 1, "\xE2\x80\x94", 3) == 0 ? 3 : 0;
+
+    return dash && strchr(" \t\r\n", text[1 + dash]) ? 1 + dash : 0;
+}
+
+/* A bar of `| 1 | RS | k2, p2`: only numbers and sides stand before it on the line. */
+static bool is_table_bar(const char *text, size_t at)
+{
+    size_t line = at;
+
+    while (line > 0 && !strchr("\r\n", text[line - 1]))
+        line--;
+    while (strchr(" \t", text[line]) && text[line])
+        line++;
+    if (!isdigit((unsigned char)text[line + strspn(text + line, "| \t")]))
+        return false;
+    for (; line < at; line++)
+        if (!isdigit((unsigned char)text[line]) && !strchr("| \tRSWrsw()", text[line]))
+            return false;
+    return true;
+}
+
+/* `[18]` that ends a line: its bytes. */
+static size_t count_length(const char *text)
+{
+    size_t digits = strspn(text + 1, "0123456789"), behind = 2 + digits;
+
+    if (!digits || digits > 5 || text[1 + digits] != ']')
+        return 0;
+    behind += strspn(text + behind, ". \t");
+    return text[behind] && !strchr("\r\n", text[behind]) ? 0 : 2 + digits;
+}
+
+/* Whether `Row 2:` follows another row on its line without a mark between: `Row 1: knit Row 2: purl`. */
+static bool row_begins(const char *text, size_t at)
+{
+    static const char *const rows[] = {"row", "rows", "round", "rounds", "rnd", "rnds"},
+                             *const leads[] = {"repeat", "rep", "as", "and", "work", "to", "from", "of", "in", "on", "by", "through",
+                                               "the", "last", "like", "then", "next", "rs", "ws", "with", "until", "pattern", "all", "every", "each"};
+    size_t word = at + 1 + word_length(text + at + 1), number = word + (text[word] == ' '), end = number, line = at, before;
+
+    if (word_in(text + at + 1, rows, 6) < 0 || number == word)
+        return false;
+    end += strspn(text + end, "0123456789");
+    while (line > 0 && !strchr("\r\n", text[line - 1]))
+        line--;
+    for (before = at; before > line && isalpha((unsigned char)text[before - 1]);)
+        before--;
+    if (end == number || at == line || !(text[end] == ':' || strncmp(text + end, " (RS):", 6) == 0 || strncmp(text + end, " (WS):", 6) == 0) || !(isalnum((unsigned char)text[at - 1]) || text[at - 1] == ')'))
+        return false;
+    return memchr(text + line, ':', at - line) && word_in(text + line, rows, 6) >= 0 && word_in(text + before, leads, sizeof leads / sizeof *leads) < 0;
+}
+
+size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    const char *here = text + at;
+    bool begins = at == 0 || !isalnum((unsigned char)text[at - 1]);
+    size_t length;
+    int number;
+
+    *plain = '\0';
+    if (*here == '(')
+        return begins ? remark_length(text, at) : 0;
+    if (strncmp(here, "\xE2\x80\xA6", 3) == 0)
+        return at > 0 && (isalnum((unsigned char)text[at - 1]) || strchr(".,;)", text[at - 1])) ? 3 : 0;
+    if (*here == '~' && at > 0 && text[at - 1] == ' ' && here[1] == ' ') {
+        strcpy(plain, "-");
+        return 1;
+    }
+    if (*here == ':' && colon_length(here)) {
+        strcpy(plain, ":");
+        return colon_length(here);
+    }
+    if (*here == '[' && count_length(here)) {
+        snprintf(plain, SIGNS_PLAIN, "(%d)", atoi(here + 1));
+        return count_length(here);
+    }
+    if (*here == '|')
+        return is_table_bar(text, at);
+    if (*here == ' ' && row_begins(text, at)) {
+        strcpy(plain, ";");
+        return 1;
+    }
+    if (begins && strncasecmp(here, "instead of ", 11) == 0 && strchr("kKpP", here[11]) && isdigit((unsigned char)here[12]))
+        return 12 + strspn(here + 12, "0123456789");
+    if (!begins || !strchr("tfsenTFSEN", *here) || !*here)
+        return 0;
+    length = number_length(here, &number);
+    if (!length || !is_count(text, at, length))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, "%d", number);
+    return length;
+}
