@@ -378,6 +378,18 @@ static size_t skip_quoted(const char *text, size_t at)
     return (at > 0 && isdigit((unsigned char)text[at - 1])) || text[at + 1 + length] != '"' ? at + 1 : at + length + 2;
 }
 
+/* How long `k2, p3, ` is before a further stitch with its figure: no sign and no phrase begins in it. */
+static size_t stitches_length(const char *text)
+{
+    size_t length = 0, n;
+
+    for (const char *at = text; strchr("kKpP", *at) && *at && (n = strspn(at + 1, "0123456789")) > 0; at += n) {
+        length = (size_t)(at - text);
+        n += 1 + strspn(at + 1 + n, ", ");
+    }
+    return length;
+}
+
 const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
     struct wording w = {arena, text, size, false};
@@ -390,6 +402,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
             at = skip_quoted(w.text, at);
             continue;
         }
+        at += stitches_length(w.text + at);
+        c = (unsigned char)w.text[at];
         if (c == '(' && rib_length(w.text + at))
             put_rib(&w, at, rib_length(w.text + at));
         if (at == 0 || strchr("\r\n", w.text[at - 1])) {
