@@ -10,7 +10,7 @@
 
 static const double HANDOVER = 1e-4, CLOSER = 1e-6; /* gradients, young * thickness^2, where Newton takes over */
 enum { NEWTON_TRIES = 8, MOST_PUSHES = 12 };
-enum { NARROW = 16, NARROW_TRIES = 40 };            /* stitches a side; iterations of libLBFGS there */
+enum { NARROW = 16, LONG = 6, STRIP_LBFGS = 40, STRIP_NEWTON = 600 };   /* stitches; ratio of sides; iterations */
 
 /* The iterations of one minimiser, at most so many more of those allowed. */
 static enum outcome limited(struct problem *p, enum outcome minimise(struct problem *, double *), int most, double *x)
@@ -36,14 +36,19 @@ static enum outcome approach(struct problem *p, double gradient, int lbfgs, int 
     return limited(p, newton_minimise, newton, x);
 }
 
+static bool is_strip(const struct problem *p)
+{
+    int across = p->d->sheet->columns, along = p->d->sheet->rows;
+    int shorter = across < along ? across : along, longer = across < along ? along : across;
+    return p->d->op->retract && shorter <= NARROW && longer >= LONG * shorter;
+}
+
 /* Newton's few factors pay where it converges at once; where it does not, libLBFGS goes on first.  The factor of a
  * narrow strip costs so little that Newton's method takes over from a libLBFGS that winds it up turn by turn. */
 static enum outcome settle_fast(struct problem *p, double *x)
 {
-    const struct sheet *sheet = p->d->sheet;
-    if (p->d->op->retract && (sheet->columns <= NARROW || sheet->rows <= NARROW))
-        return approach(p, HANDOVER, NARROW_TRIES, p->limit, x);
-    enum outcome outcome = approach(p, HANDOVER, p->limit, NEWTON_TRIES, x);
+    bool strip = is_strip(p);
+    enum outcome outcome = approach(p, HANDOVER, strip ? STRIP_LBFGS : p->limit, strip ? STRIP_NEWTON : NEWTON_TRIES, x);
     if (outcome != OUTCOME_LIMIT || p->effort->iterations >= p->limit)
         return outcome;
     return approach(p, CLOSER, p->limit, p->limit, x);

@@ -14,7 +14,7 @@ static const double ARMIJO = 1e-4;          /* share of the predicted decrease a
 static const double KEPT = 0.1;             /* of the gradient must be all that a step leaves for its factor to serve again */
 static const double ROUNDING = 1e-13;       /* of the energy: smaller decreases are not seen */
 static const double FIRST_SHIFT = 1e-5, LAST_SHIFT = 1e6;
-static const double FAR = 0.1;              /* of the gradient is the shift to begin with */
+static const double FAR = 0.1, FAR_SHIFT = 1e-3;    /* the shift to begin with: of the gradient, but no more than that */
 static const double GAIN = 1e-4;            /* of the decrease: a conjugate step that adds less is the last */
 static const double GAIN_OF_TEST = 1e-10;   /* the same in the inertia test */
 enum { MOST_CONJUGATE = 300 };
@@ -197,8 +197,9 @@ enum outcome newton_minimise(struct problem *p, double *x)
     const struct sheet *sheet = p->d->sheet;
     struct march m = {.energy = problem_evaluate(p, x), .before = INFINITY,
                       .most = 0.25 * fmax(sheet->columns * sheet->dx, sheet->rows * sheet->dy)};
-    if (FAR * p->gradient_max > FIRST_SHIFT)
-        m.shift = FAR * p->gradient_max;
+    m.shift = fmin(FAR * p->gradient_max, FAR_SHIFT);
+    if (!(m.shift > FIRST_SHIFT))
+        m.shift = 0;
     enum outcome outcome = isfinite(m.energy) ? OUTCOME_CONVERGED : OUTCOME_FAILED;
     while (outcome == OUTCOME_CONVERGED && p->gradient_max > p->tolerance)
         outcome = newton_step(p, x, &m);
