@@ -3,6 +3,7 @@
  * time and memory out. */
 #include "solver/forecast.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +17,7 @@
 static const double FLOP = 1 / 1.5e10;          /* s, of a factorisation */
 static const double NONZERO = 1.5e-9;           /* s, of a factor, per iteration */
 static const double ENTRY = 1e-9;               /* s, of a Hessian, per conjugate step */
+static const double LARGE_NONZERO = 2.5e-9, LARGE_ENTRY = 3e-9;    /* the same two beyond any cache */
 static const double ELEMENT = 2.5e-6;           /* s, per iteration */
 static const double ASSEMBLE = 1.2e-5;          /* s, an element, per factorisation */
 static const double FACE = 0.25;                /* of an element's costs, for a triangle */
@@ -23,7 +25,9 @@ static const double KEPT = 2.6;                 /* times a factor and its patter
 static const double PROGRAM = 15e6, BEGIN = 0.02;   /* bytes and seconds, whatever the fold */
 enum { FIRST_ITERATIONS = 90, FIRST_FACTORS = 5, GROWTH_ITERATIONS = 20, GROWTH_FACTORS = 2 };
 enum { LEVEL_ITERATIONS = 60, LEVEL_FACTORS = 5 };
-enum { NEWTON_STEPS = 14, CONJUGATE_STEPS = 25 };   /* of a level too large to factor, and of each step there */
+enum { NEWTON_STEPS = 10, CONJUGATE_STEPS = 24 };   /* of a level too large to factor, and of each step there */
+static const double RENEWED = 1.3;                  /* times in such a step that the Hessian and the factor are made */
+static const double TURN_ITERATIONS = 10, TURN_FACTORS = 0.4;  /* more on each level, for each turn that the sheet rolls */
 enum { CHECK_ITERATIONS = 40, CHECK_FACTORS = 6 };  /* on patches, for the error of triangles */
 enum { ESTIMATE_STEPS = 20 };                       /* conjugate ones, for the error */
 enum { SAMPLE = 12 };                               /* stitches a side */
@@ -61,9 +65,9 @@ static struct factored add_level(struct forecast *f, const struct discretisation
  * memory goes into the Hessian of the next level, for the error estimate. */
 static void add_conjugate_level(struct forecast *f, const struct discretisation *d, const struct factored *coarse)
 {
-    double step = hessian_entries(d) * ENTRY + coarse->nonzeros * NONZERO;
+    double step = hessian_entries(d) * LARGE_ENTRY + coarse->nonzeros * LARGE_NONZERO;
     double unknown = (double)d->block * sizeof(double);
-    f->seconds += NEWTON_STEPS * (coarse->flops * FLOP + (double)d->elements * ASSEMBLE + CONJUGATE_STEPS * step);
+    f->seconds += NEWTON_STEPS * (RENEWED * (coarse->flops * FLOP + (double)d->elements * ASSEMBLE) + CONJUGATE_STEPS * step);
     f->bytes = PROGRAM + coarse->bytes +
                (1 + NEXT_LEVEL) * (hessian_entries(d) * (sizeof(double) + sizeof(int)) + d->n * unknown);
 }
@@ -75,6 +79,15 @@ static void add_estimate(struct forecast *f, const struct discretisation *d, con
     f->seconds += finer * ASSEMBLE + ESTIMATE_STEPS * (entries * ENTRY + last->nonzeros * NONZERO);
     double bytes = PROGRAM + last->bytes + entries * (sizeof(double) + sizeof(int));
     f->bytes = bytes > f->bytes ? bytes : f->bytes;
+}
+
+/* The turns that the mean curvature makes along a side, the more of the two. */
+static double turns_of(const struct sheet *s)
+{
+    double x = 0, y = 0, stitches = (double)s->columns * s->rows;
+    for (size_t i = 0; i < (size_t)stitches; i++)
+        x += s->kx[i] / stitches, y += s->ky[i] / stitches;
+    return fmax(fabs(x) * s->columns * s->dx, fabs(y) * s->rows * s->dy) / (2 * M_PI);
 }
 
 /* ---- auto: how fine? ---- */
@@ -128,9 +141,9 @@ struct forecast forecast_fold(const struct sheet *sheet)
     struct forecast forecast = {.seconds = BEGIN};
     int cells = cells_of(sheet);
     struct discretisation *d = levels_first(sheet, 1);
-    double more = sheet->solve.steps - 1;
-    struct factored last = add_level(&forecast, d, FIRST_ITERATIONS + more * GROWTH_ITERATIONS,
-                                     FIRST_FACTORS + more * GROWTH_FACTORS);
+    double more = sheet->solve.steps - 1, turns = turns_of(sheet);
+    struct factored last = add_level(&forecast, d, FIRST_ITERATIONS + turns * TURN_ITERATIONS + more * GROWTH_ITERATIONS,
+                                     FIRST_FACTORS + turns * TURN_FACTORS + more * GROWTH_FACTORS);
     while (levels_passing(d) || d->per_stitch < cells) {
         if (!levels_passing(d) && d->op->restrict_hessian)
             add_estimate(&forecast, d, &last);
@@ -140,11 +153,11 @@ struct forecast forecast_fold(const struct sheet *sheet)
         if (d->n > FOLD_MOST_FACTORED && d->op->restrict_hessian)
             add_conjugate_level(&forecast, d, &last);
         else
-            last = add_level(&forecast, d, LEVEL_ITERATIONS, LEVEL_FACTORS);
+            last = add_level(&forecast, d, LEVEL_ITERATIONS + turns * TURN_ITERATIONS, LEVEL_FACTORS + turns * TURN_FACTORS);
     }
     if (!d->op->restrict_hessian)
         add_check(&forecast, sheet);
-    else if (d->n <= FOLD_MOST_FACTORED)
+    else
         add_estimate(&forecast, d, &last);
     forecast.per_stitch = d->per_stitch;
     forecast.unknowns = d->n;
