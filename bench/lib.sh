@@ -4,7 +4,7 @@
 # median of BENCH_RUNS runs, of one run where that took longer than BENCH_ONCE seconds.
 set -eu
 : "${srcdir:=.}" "${BENCH_RUNS:=3}" "${BENCH_ONCE:=600}"
-: "${BENCH_LIMIT:=$([ -n "${BENCH_LARGE:-}" ] && echo 3600 || echo 900)}"
+: "${BENCH_LIMIT:=$([ -n "${BENCH_LARGE:-}" ] && echo 3600 || echo 1800)}"
 weft=${WEFT:-./weft}
 bench=$srcdir/bench
 scenes=$bench/scenes
