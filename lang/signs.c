@@ -147,6 +147,17 @@ static bool is_table_bar(const char *text, size_t at)
     return true;
 }
 
+/* Whether the line is one of expressions up to here, where `[2]` is a list or a place in one. */
+static bool in_expression(const char *text, size_t at)
+{
+    static const char *const words[] = {"let", "param", "sweep", "for", "if", "swatch", "motif", "output"};
+    size_t line = at;
+
+    while (line > 0 && !strchr("\r\n", text[line - 1]))
+        line--;
+    return memchr(text + line, '=', at - line) || word_in(text + line + strspn(text + line, " \t"), words, sizeof words / sizeof *words) >= 0;
+}
+
 /* `[18]` that ends a line: its bytes. */
 static size_t count_length(const char *text)
 {
@@ -198,7 +209,7 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         strcpy(plain, ":");
         return colon_length(here);
     }
-    if (*here == '[' && count_length(here)) {
+    if (*here == '[' && count_length(here) && !in_expression(text, at)) {
         snprintf(plain, SIGNS_PLAIN, "(%d)", atoi(here + 1));
         return count_length(here);
     }
