@@ -31,7 +31,7 @@ static enum outcome approach(struct problem *p, double gradient, int lbfgs, int 
     enum outcome outcome = limited(p, plbfgs_minimise, lbfgs, x);
     bool reached = outcome == OUTCOME_CONVERGED && p->gradient_max <= tolerance;
     p->tolerance = tolerance;
-    if (reached || p->effort->iterations >= p->limit || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
+    if (reached || outcome == OUTCOME_STOPPED || outcome == OUTCOME_FAILED)
         return outcome;
     return limited(p, newton_minimise, newton, x);
 }
