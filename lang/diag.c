@@ -75,7 +75,7 @@ static void record(struct diag *diag, enum severity severity, enum diag_code cod
     diag->open = NULL;
     if (said_before(diag, code, span))
         return;
-    if (diag->nerrors + diag->nwarnings < LIMIT_MESSAGES || code == CODE_LIMIT_ERRORS)
+    if (diag_takes_more(diag) || code == CODE_LIMIT_ERRORS)
         message_new(diag, severity, code, span)->text = arena_vprintf(diag->arena, format, arguments);
     ++*count;
 }

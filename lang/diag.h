@@ -11,6 +11,7 @@
 
 #include "lang/arena.h"
 #include "lang/codes.h"
+#include "lang/limits.h"
 
 /* One text: a file, standard input, or what the command line said. */
 struct source {
@@ -74,6 +75,12 @@ void diag_error(struct diag *, enum diag_code, struct span, const char *format, 
     __attribute__((format(printf, 4, 5)));
 void diag_warning(struct diag *, enum diag_code, struct span, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
+
+/* Whether one more would be shown, or only counted. */
+static inline bool diag_takes_more(const struct diag *diag)
+{
+    return diag->nerrors + diag->nwarnings < LIMIT_MESSAGES;
+}
 
 /* Whether there are so many that no more is worth reading: says so, once, at this place. */
 bool diag_is_full(struct diag *, struct span);

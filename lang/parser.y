@@ -34,6 +34,7 @@ int knit_lex(KNIT_STYPE *, KNIT_LTYPE *, void *scanner);
 }
 
 %code {
+#include "lang/expected.h"
 #include "lang/limits.h"
 #include "lang/syntax.h"
 
@@ -645,10 +646,12 @@ argument:
 
 static int yyreport_syntax_error(const yypcontext_t *context, struct parse *parse, void *scanner)
 {
-    yysymbol_kind_t symbol[SYNTAX_EXPECTED];
-    const char *expected[SYNTAX_EXPECTED];
+    yysymbol_kind_t symbol[EXPECTED_TOKENS];
+    const char *expected[EXPECTED_TOKENS];
     yysymbol_kind_t found = yypcontext_token(context);
-    int n = yypcontext_expected_tokens(context, symbol, SYNTAX_EXPECTED);
+
+    /* What could stand here takes its time to find, and is told in a few messages only. */
+    int n = diag_takes_more(parse->diag) ? yypcontext_expected_tokens(context, symbol, EXPECTED_TOKENS) : 0;
 
     (void)scanner;
     if (n < 0)

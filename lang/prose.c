@@ -9,6 +9,7 @@
 
 #include "lang/refused.h"
 #include "lang/scanner.h"
+#include "lang/settings.h"
 #include "lang/syntax.h"
 #include "lang/typos.h"
 
@@ -328,14 +329,24 @@ static bool no_version(const char *text)
     return !isdigit((unsigned char)*text) && !strchr("-.(", *text);
 }
 
+/* `width = 3`, `(width = 3`: a brace is missing. */
+static bool is_setting(const char *text)
+{
+    static const char *const stitch[] = {"kx", "ky", "twist", "symbol", "ws"};
+    const char *name = skip_blanks(text + (*text == '('));
+    size_t length = strcspn(name, "= \t\r\n");
+
+    return *skip_blanks(name + length) == '=' && (settings_is_key(name, length) || is_one_of(name, stitch, sizeof stitch / sizeof *stitch));
+}
+
 static bool no_block(const char *text)
 {
-    return *text != '{' && *next_line(text) != '{';
+    return *text != '{' && *next_line(text) != '{' && !is_setting(text);
 }
 
 static bool no_body(const char *text)
 {
-    return !opens_block(text);
+    return !opens_block(text) && !is_setting(skip_blanks(text + word_length(text)));
 }
 
 static bool no_loop(const char *text)
@@ -534,6 +545,14 @@ static bool is_labelled_statement(const char *text)
     return text[colon] == ':' && prose_statement_follows(text + colon + 1);
 }
 
+/* `let`, `swatch`, `gauge`, .. and no sentence that begins so. */
+static bool is_keyword(const char *text)
+{
+    static const char *const word[] = {"let", "param", "output", "sweep", "swatch", "motif", "use", "stitch", "gauge", "material", "springs", "mesh", "solve"};
+
+    return is_one_of(text, word, sizeof word / sizeof *word) && !prose_is_keyword(text);
+}
+
 /* How many lines from here on read as prose; `end` is behind the last. */
 static int block_length(const char *text, const char **end)
 {
@@ -543,7 +562,8 @@ static int block_length(const char *text, const char **end)
         n++;
         *end = text + line_length(text);
         text = next_line(text);
-    } while (*text && !prose_statement_follows(text) && !is_labelled_statement(text) && !prose_is_keyword(text) && prose_reads(text, false));
+    } while (*text && !prose_statement_follows(text) && !is_labelled_statement(text) && !is_keyword(text) &&
+             !prose_is_keyword(text) && prose_reads(text, false));
     return n;
 }
 

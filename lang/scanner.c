@@ -200,6 +200,12 @@ int scanner_bad_unit(struct scanner *scanner, struct span span, const char *text
     return TOKEN_KNIT_error;
 }
 
+int scanner_fraction(struct scanner *scanner, struct span span, const char *text)
+{
+    diag_error(scanner->parse->diag, CODE_WHOLE, span, "a whole number is needed here, not %s", text);
+    return TOKEN_KNIT_error;
+}
+
 void scanner_number_word(KNIT_STYPE *value, const char *text)
 {
     static const struct {
@@ -680,6 +686,9 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
 
 bool scanner_end_line(struct scanner *scanner)
 {
+    bool open = scanner->nopen && is_in_line(scanner->open[scanner->nopen - 1].kind);
+
+    scanner->unclosed = open ? scanner->open[scanner->nopen - 1].span : (struct span){NULL, 0, 0};
     while (scanner->nopen && is_in_line(scanner->open[scanner->nopen - 1].kind))
         scanner->nopen--;
     return scanner->nopen && scanner->open[scanner->nopen - 1].kind == BRACKET_SETTINGS;

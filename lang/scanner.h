@@ -42,6 +42,7 @@ struct scanner {
     int           titles;           /* lines of prose before the first statement */
     unsigned      prose_end;        /* lines before this were called prose */
     bool          quiet;            /* an unclosed bracket was reported: no more about it */
+    struct span   unclosed;         /* the bracket that was open within the line where it ended */
     int           nopen;
     struct open   open[LIMIT_NESTING];
 };
@@ -66,6 +67,7 @@ int scanner_text(struct scanner *, KNIT_STYPE *, int kind, struct span, const ch
 int scanner_string(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
 int scanner_number(struct scanner *, struct span, KNIT_STYPE *, const char *text, size_t length);
 int scanner_bad_unit(struct scanner *, struct span, const char *text);
+int scanner_fraction(struct scanner *, struct span, const char *text);
 int scanner_open_string(struct scanner *, struct span);
 int scanner_character(struct scanner *, struct span);
 int scanner_end(struct scanner *);

@@ -5,6 +5,7 @@
 
 #include <stddef.h>
 #include <string.h>
+#include <strings.h>
 
 static const char *const discretisations[] = {"patch", "triangle", NULL};
 static const char *const diagonals[] = {"uniform", "alternating", "crisscross", NULL};
@@ -45,6 +46,14 @@ void settings_default(struct settings *settings)
     *settings = (struct settings){0};
     for (int i = 0; i < SETTINGS; i++)
         settings->value[i].value = key_default(&keys[i]);
+}
+
+bool settings_is_key(const char *name, size_t length)
+{
+    for (int i = 0; i < SETTINGS; i++)
+        if (strlen(keys[i].name) == length && strncasecmp(keys[i].name, name, length) == 0)
+            return true;
+    return false;
 }
 
 /* ---- blocks ---- */

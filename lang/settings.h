@@ -21,6 +21,9 @@ struct settings {
 
 void settings_default(struct settings *);
 
+/* Whether one of the blocks has a key of this name. */
+bool settings_is_key(const char *name, size_t length);
+
 /* Reads a block of the file. Errors are in diag. */
 void settings_block(struct eval *, struct settings *, const struct stmt *);
 

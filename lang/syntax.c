@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/expected.h"
 #include "lang/limits.h"
 #include "lang/refused.h"
 #include "lang/scanner.h"
@@ -76,6 +77,10 @@ static void no_statement(struct parse *parse, struct span span)
         diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`");
     else if (text[behind] == '=' && text[behind + 1] != '=')
         diag_hint(parse->diag, "to give a name to a value: `let %s = ...`", word);
+    else if (strcmp(word, "else") == 0)
+        diag_hint(parse->diag, "an `else` stands behind the '}' of its `if`");
+    else if (text[length] == '(' || strcmp(word, "each") == 0)
+        diag_hint(parse->diag, "to fold it: `swatch %s%s`", word, text[length] == '(' ? "(..)" : " ..");
     else
         diag_did_you_mean(parse->diag, nearest_in(word, statement_word, nstatement_words));
 }
@@ -85,7 +90,9 @@ static const char *found_text(struct parse *parse, struct span span, const char 
 {
     size_t length = span.end - span.start;
 
-    if (!found || strncmp(found, "the end", 7) == 0 || length == 0)
+    if (length && strchr(";.", span.source->text[span.start]))
+        length = 1;
+    else if (!found || strncmp(found, "the end", 7) == 0 || length == 0)
         return found ? found : "nothing";
     if (length > 30 || memchr(span.source->text + span.start, '\n', length))
         return found;
@@ -126,15 +133,53 @@ static bool names_rib(struct span span)
     return (length == 3 || length == 7) && strncasecmp(text, "ribbing", length) == 0;
 }
 
+/* The token that closes a bracket. */
+static const char *closing_of(struct span open)
+{
+    char c = open.source->text[open.start];
+
+    return c == '(' ? "')'" : c == '[' ? "']'" : "'}'";
+}
+
+/* A bracket that is open where only its end could stand, or closed without being open. */
+static bool bracket_is_alone(struct parse *parse, struct span span, bool at_end, const char *const *expected, int n)
+{
+    struct span open = parse->scanner->unclosed;
+    char c = span.source->text[span.start];
+
+    if (at_end && open.source && expected_has(expected, n, closing_of(open))) {
+        diag_error(parse->diag, CODE_UNCLOSED, open, "this '%c' is not closed on its line", open.source->text[open.start]);
+        return true;
+    }
+    if (at_end || !strchr(")]}", c) || expected_has(expected, n, "')'") || expected_has(expected, n, "']'") || expected_has(expected, n, "'}'"))
+        return false;
+    diag_error(parse->diag, CODE_UNCLOSED, span, "this '%c' closes nothing", c);
+    return true;
+}
+
+/* A word that was meant, or the way the statement is written. */
+static void hint_form(struct parse *parse, struct span span, const char *list)
+{
+    const char *meant = syntax_meant(parse, span), *form = expected_form(parse->scanner->statement);
+
+    if (names_rib(span))
+        diag_hint(parse->diag, "which rib this is: `Work 4 rows in k2, p2 rib`");
+    else if (meant && (!form || (list && strstr(list, meant))))
+        diag_did_you_mean(parse->diag, meant);
+    else if (form && list && !strstr(list, "a value"))
+        diag_hint(parse->diag, "%s", form);
+}
+
 void syntax_error(struct parse *parse, struct span span, const char *found, const char *const *expected,
                   int n)
 {
-    char *list = arena_copy(parse->arena, "", 0);
     bool at_end = found && strncmp(found, "the end", 7) == 0;
+    const char *list;
 
     if (parse->scanner->quiet || refused_row(parse, span))
         return;
-    if (!at_end && begins_statement(span) && n == 0) {
+    list = expected_list(parse->arena, expected, n);
+    if (!at_end && begins_statement(span) && !list) {
         no_statement(parse, span);
         return;
     }
@@ -144,25 +189,15 @@ void syntax_error(struct parse *parse, struct span span, const char *found, cons
         star_is_left(parse, span);
         return;
     }
-    if (at_end && !n) {
-        diag_error(parse->diag, CODE_SYNTAX, span, "the line ends too early");
+    if (bracket_is_alone(parse, span, at_end, expected, n))
         return;
-    }
-    for (int i = 0; i < n; i++)
-        list = arena_printf(parse->arena, "%s%s%s", list,
-                            i == 0       ? ""
-                            : i == n - 1 ? " or "
-                                         : ", ",
-                            expected[i]);
-    if (n)
-        diag_error(parse->diag, CODE_SYNTAX, span, "expected %s, found %s", list,
-                   found_text(parse, span, found));
+    if (list)
+        diag_error(parse->diag, CODE_SYNTAX, span, "expected %s, found %s", list, found_text(parse, span, found));
+    else if (at_end)
+        diag_error(parse->diag, CODE_SYNTAX, span, "the line ends too early");
     else
         diag_error(parse->diag, CODE_SYNTAX, span, "did not expect %s here", found_text(parse, span, found));
-    if (names_rib(span))
-        diag_hint(parse->diag, "which rib this is: `Work 4 rows in k2, p2 rib`");
-    else
-        diag_did_you_mean(parse->diag, syntax_meant(parse, span));
+    hint_form(parse, span, list);
 }
 
 int syntax_unknown_word(struct parse *parse, struct span span, const char *expected)

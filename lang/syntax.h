@@ -6,8 +6,6 @@
 
 #include "lang/parse.h"
 
-enum { SYNTAX_EXPECTED = 6 };       /* more alternatives than this are not listed */
-
 /* `found` and `expected` are the grammar's names of tokens. */
 void syntax_error(struct parse *, struct span, const char *found, const char *const *expected, int n);
 
