@@ -324,24 +324,37 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     }
     if (again->kind == AGAIN_TOTAL && n && rows_just_worked(body->rows, texts))
         n--;
+    if (again->kind == AGAIN_TOTAL_ROWS && rows_just_worked(body->rows, texts))
+        n = n > texts.n ? n - texts.n : 0;
     if (again->kind == AGAIN_UNTIL_ROWS)
         rows_again(body->rows, stmt->span, texts, 0, n);
-    else if (again->kind == AGAIN_ROWS && n)
+    else if ((again->kind == AGAIN_ROWS || again->kind == AGAIN_TOTAL_ROWS) && n)
         rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + n);
     else if (n)
         rows_again(body->rows, stmt->span, texts, n, 0);
     return !again->then || run_again(eval, where, stmt, again->then, body);
 }
 
+/* Whether rows are worked behind a statement. */
+static bool rows_follow(const struct stmt *stmt)
+{
+    for (stmt = stmt->next; stmt; stmt = stmt->next)
+        if (stmt->kind == STMT_ROW || stmt->kind == STMT_AGAIN)
+            return true;
+    return false;
+}
+
 static bool run_cast_on(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
-    if (!body->top || body->cast_on || rows_any(body->rows)) {
+    if (!body->top || body->cast_on || (rows_any(body->rows) && rows_follow(stmt))) {
         diag_error(eval->diag, CODE_CAST_ON, stmt->span,
                    !body->top      ? "a motif is not cast on; its width is its multiple's"
                    : body->cast_on ? "the stitches are cast on already"
                                    : "the cast-on comes before the first row");
         if (body->cast_on)
             diag_note(eval->diag, body->cast_on_span, "here");
+        else if (body->top)
+            diag_hint(eval->diag, "write the cast-on above all rows, and below it the rows in the order they are worked");
         return false;
     }
     body->cast_on_span = stmt->span;

@@ -133,6 +133,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token GO_ON_ROWS       "'continue in pattern for'"
 %token <side> STARTING  "'starting with'"
 %token REPEAT_THEM      "'repeat them'"
+%token WORK_THEM        "'work these rows'"
 %token THEN_ROWS        "'then rows'"
 %token CAST_ON          "'cast on'"
 %token SIZES            "further sizes"
@@ -529,6 +530,7 @@ repeat_statement:
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
 | REPEAT_THEM again                     { $$ = stmt_again(parse, @$, (struct again){AGAIN_THEM, NULL, NULL, $again.kind, $again.pattern, $again.n, $again.then}); }
+| WORK_THEM again                       { $$ = stmt_again(parse, @$, syntax_work_again(parse, @$, NULL, $again)); $$->again.which = AGAIN_THEM; }
 | GO_ON_ROWS count more ROW_WORD pattern
                                         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
@@ -556,6 +558,7 @@ again_once:
 | UNTIL_LENGTH                          { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | FOR_ROWS count ROW_WORD               { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count}; }
+| FOR_TOTAL count ROW_WORD              { $$ = (struct again){.kind = AGAIN_TOTAL_ROWS, .n = $count}; }
 | FOR_TOTAL count TIMES                 { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }
 | count TIMES TOTAL                     { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }
 | TWICE TOTAL                           { $$ = (struct again){.kind = AGAIN_TOTAL, .n = expr_number(parse, @1, $1.value, 0)}; }

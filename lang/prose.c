@@ -188,6 +188,31 @@ bool prose_casts_some(const char *text)
     return false;
 }
 
+size_t prose_begins_cast_on(const char *text)
+{
+    const char *on = skip_blanks(text + word_length(text));
+
+    if (is_word(text, "co"))
+        return behind_number(on) ? 2 : 0;
+    return is_word(text, "cast") && is_word(on, "on") && behind_number(skip_blanks(on + 2)) ? (size_t)(on + 2 - text) : 0;
+}
+
+size_t prose_rows_within(const char *text)
+{
+    static const char *const work[] = {"knit", "purl", "k", "p", "work"}, *const every[] = {"every", "each", "all"};
+
+    for (size_t i = 1; text[i]; i++) {
+        const char *behind = skip_blanks(text + i + word_length(text + i)), *rows = behind_number(behind);
+
+        if (isalnum((unsigned char)text[i - 1]) || !is_one_of(text + i, work, sizeof work / sizeof *work))
+            continue;
+        if ((rows && is_rows_word(rows)) || (is_one_of(behind, every, 3) && is_rows_word(skip_blanks(behind + word_length(behind)))) ||
+            (is_word(text + i, "work") && is_word(behind, "in") && prose_fabric_follows(skip_blanks(behind + 2))))
+            return i;
+    }
+    return 0;
+}
+
 size_t prose_row_count(const char *sentence)
 {
     for (size_t i = 1; sentence[i]; i++) {
@@ -228,6 +253,15 @@ bool prose_stitches_follow(const char *text)
         return false;
     return isdigit((unsigned char)text[1]) || !*next || strchr(".,|\r\n", *next) || is_one_of(next, behind, 3) ||
            (isdigit((unsigned char)*next) && !is_rows_word(skip_blanks(next + strspn(next, "0123456789"))));
+}
+
+bool prose_row_line(const char *text)
+{
+    static const char *const stitch[] = {"k", "knit", "p", "purl"};
+    const char *first = text + (*text == '*'), *number = skip_blanks(first + word_length(first));
+
+    return is_one_of(first, stitch, 4) && isdigit((unsigned char)*number) && !is_rows_word(skip_blanks(number + strspn(number, "0123456789"))) &&
+           !line_has_word(text, "rib") && !line_has_word(text, "ribbing") && !line_has_word(text, "rows") && !line_has_word(text, "more");
 }
 
 bool prose_repeat_follows(const char *text)
@@ -515,6 +549,7 @@ static bool has_count(const char *text)
 
 bool prose_is_title(const char *text)
 {
+    text += *text == '(' && word_length(text + 1) > 4;
     return !line_has(text, "{}[]\"=<>*|") && !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) &&
            !has_call(text) && !has_count(text) && count_words(text) > 0 && count_words(text) <= TITLE_WORDS &&
            (word_length(text) > 0 || count_words(text) > 1);

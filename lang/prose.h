@@ -28,8 +28,15 @@ bool prose_row_is_named(const char *text);          /* "row:" */
 bool prose_row_follows(const char *text);           /* "row 1" */
 bool prose_row_word(const char *text);              /* "row", "rounds", or a statement's word */
 bool prose_rows_follow(const char *text);           /* "3 rows", "{n} more rows" */
+bool prose_row_line(const char *text);              /* `*knit 5, purl 1`: a row goes on */
 bool prose_is_remark(const char *text);             /* "(set-up row):": words before a row's colon */
 bool prose_pattern_follows(const char *text);       /* a row with its name, a cast-on, a multiple */
+
+/* The bytes of "cast on", "co" before a number; 0: the text begins otherwise. */
+size_t prose_begins_cast_on(const char *text);
+
+/* Where in a remark rows begin: "and knit 5 rows"; 0: nowhere. */
+size_t prose_rows_within(const char *text);
 
 /* "Cast off 4 sts at beg of next 2 rows": not all of them. */
 bool prose_casts_some(const char *text);

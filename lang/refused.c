@@ -146,6 +146,17 @@ static bool is_colour(const char *word, struct span span)
 
 static void report(struct diag *diag, const char *word, struct span span, enum reason reason, const char *what)
 {
+    char plain[LONGEST];
+    size_t n = strlen(word);
+
+    /* What a phrase of the text has left over is blank. */
+    while (n > 0 && word[n - 1] == ' ')
+        n--;
+    if (n < LONGEST) {
+        memcpy(plain, word, n);
+        plain[n] = '\0';
+        word = plain;
+    }
     diag_error(diag, reasons[reason].code, span, reasons[reason].text, word, what);
     if (reasons[reason].hint)
         diag_hint(diag, "%s", reasons[reason].hint);

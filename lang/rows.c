@@ -322,7 +322,7 @@ static void flush(struct row_list *list)
             text = filler_for(list, label, side_of(list, list->norder));
         if (!text) {
             diag_error(list->diag, CODE_ROW_NUMBER, list->span, "row %d is missing", label);
-            diag_hint(list->diag,
+            diag_hint(list->diag, label == 1 ? "number the first row 1, also where the cast-on has been called row 1" :
                       "rows are numbered 1, 2, 3 ..; `all WS rows: purl` can stand for every second one");
             fail(list);
             return;
@@ -375,12 +375,22 @@ void rows_add_next(struct row_list *list, struct row_text *text)
 
 /* ---- rows worked again ---- */
 
+/* A row worked without a number, where its number is plain: the rows before it are the pattern's only. */
+static struct row_text *unnumbered(const struct row_list *list, int label)
+{
+    if (label < 2 || label > list->norder || list->order[label - 1]->label || list->order[0]->label != 1)
+        return NULL;
+    return list->order[label - 1];
+}
+
 bool rows_labelled(struct row_list *list, struct span span, const int *label, int n, struct row_texts *texts)
 {
     *texts = (struct row_texts){arena_array(list->arena, struct row_text *, (size_t)n), n};
     flush(list);
     for (int i = 0; i < n; i++) {
         texts->text[i] = label[i] > 0 && label[i] < list->label_room ? list->label[label[i]] : NULL;
+        if (!texts->text[i])
+            texts->text[i] = unnumbered(list, label[i]);
         if (list->failed || texts->text[i])
             continue;
         diag_error(list->diag, CODE_ROW_REFERENCE, span, "there is no row %d to repeat", label[i]);

@@ -100,6 +100,8 @@ static bool is_word(const char *text, size_t length, const char *word)
 /* What a word behind `rep` was to be, told by what follows it; NULL: nothing is wrong. */
 static const char *repeat_expects(const char *word, const char *behind)
 {
+    if (is_word(word, word_length(word), "until") || is_word(word, word_length(word), "till") || is_word(word, word_length(word), "to"))
+        return NULL;
     if (*behind == '*' && !is_word(word, word_length(word), "from"))
         return "'from'";
     if (is_word(word, word_length(word), "from") && *behind != '*' && !prose_repeats_rows(behind))
@@ -416,6 +418,13 @@ void scanner_all(KNIT_STYPE *value, const char *text)
 
 /* ---- what cannot be read ---- */
 
+int scanner_lettered(struct scanner *scanner, struct span span)
+{
+    diag_error(scanner->parse->diag, CODE_ROW_NUMBER, span, "a row's number has no letter");
+    diag_hint(scanner->parse->diag, "number all rows in the order they are worked: `Row 1`, `Row 2` ..");
+    return TOKEN_KNIT_error;
+}
+
 int scanner_open_string(struct scanner *scanner, struct span span)
 {
     diag_error(scanner->parse->diag, CODE_STRING, span, "this text has no closing quote on its line");
@@ -661,7 +670,7 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
         if (is_word(text, length, words[i]))
             return !prose_fabric_follows(text + length + strspn(text + length, " \t"));
     return scanner->comma || ((scanner->star || scanner->stops) && syntax_is_row(text)) || scanner->previous == ':' ||
-           scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL;
+           (scanner_in_row_head(scanner) && prose_row_line(text)) || scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL;
 }
 
 bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
@@ -669,7 +678,7 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
     const char *next = SCANNER_TEXT(scanner);
     bool open = scanner->nopen && is_in_line(scanner->open[scanner->nopen - 1].kind);
 
-    if (statement_follows(scanner, next) || !*next)
+    if (!*next || (statement_follows(scanner, next) && !(in_row && scanner_in_row_head(scanner) && prose_row_line(next))))
         return true;
     if (open)
         return false;
@@ -682,6 +691,20 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
     if (!scanner->statement)
         return true;
     return !goes_on(scanner->previous) && !(in_expression ? strchr("?:*/+-&|<>=", *next) != NULL : *next == '=');
+}
+
+bool scanner_repeat_goes_on(const struct scanner *scanner)
+{
+    static const char *const words[] = {"until", "till", "for"};
+    const char *text = SCANNER_TEXT(scanner);
+    bool repeat = scanner->statement == TOKEN_REPEAT_ROWS || scanner->statement == TOKEN_REPEAT_LAST || scanner->statement == TOKEN_REPEAT_THEM;
+
+    if (!repeat || (scanner->previous != TOKEN_NUMBER && scanner->previous != TOKEN_ROW_WORD && scanner->previous != TOKEN_REPEAT_THEM))
+        return false;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (is_word(text, word_length(text), words[i]))
+            return true;
+    return prose_times_follow(text);
 }
 
 bool scanner_end_line(struct scanner *scanner)

@@ -68,6 +68,7 @@ int scanner_string(struct scanner *, KNIT_STYPE *, const char *text, size_t leng
 int scanner_number(struct scanner *, struct span, KNIT_STYPE *, const char *text, size_t length);
 int scanner_bad_unit(struct scanner *, struct span, const char *text);
 int scanner_fraction(struct scanner *, struct span, const char *text);
+int scanner_lettered(struct scanner *, struct span); /* the letter of "Row 1a" */
 int scanner_open_string(struct scanner *, struct span);
 int scanner_character(struct scanner *, struct span);
 int scanner_end(struct scanner *);
@@ -125,6 +126,9 @@ int scanner_close(struct scanner *, char);
 
 /* Whether a line end here ends the statement. */
 bool scanner_ends_line(struct scanner *, bool in_row, bool in_expression);
+
+/* Whether the next line says how often the rows named on this one are repeated. */
+bool scanner_repeat_goes_on(const struct scanner *);
 
 /* Ends it: forgets open brackets within the line; true inside a block of keys. */
 bool scanner_end_line(struct scanner *);

@@ -189,6 +189,84 @@ static bool row_begins(const char *text, size_t at)
     return memchr(text + line, ':', at - line) && word_in(text + line, rows, 6) >= 0 && word_in(text + before, leads, sizeof leads / sizeof *leads) < 0;
 }
 
+/* The dash of `k5 - border`, with its remark: up to a mark or the line's end. */
+static size_t dash_remark_length(const char *text, size_t at)
+{
+    size_t length = 2 + strcspn(text + at + 2, ",;:.()[]*\r\n");
+
+    while (at > 0 && text[at - 1] == ' ')
+        at--;
+    return at > 0 && isdigit((unsigned char)text[at - 1]) && is_remark(text + at + (text[at] == ' ') + 2, length - 2) ? length : 0;
+}
+
+/* The sign between stitches of `p2/k6/p2`. */
+static bool is_between_stitches(const char *text, size_t at)
+{
+    size_t before = at;
+
+    while (before > 0 && isdigit((unsigned char)text[before - 1]))
+        before--;
+    return before < at && before > 0 && strchr("kKpP", text[before - 1]) && (before == 1 || !isalnum((unsigned char)text[before - 2])) &&
+           strchr("kKpP", text[at + 1]) && text[at + 1] && isdigit((unsigned char)text[at + 2]);
+}
+
+/* The sign between the numbers of `Rows 1/3:`, `Rows 5/7/9:`. */
+static bool is_between_rows(const char *text, size_t at)
+{
+    static const char *const rows[] = {"row", "rows", "round", "rounds", "rnd", "rnds"},
+                             *const again[] = {"rep", "repeat", "as", "work"};
+    size_t word = at, end;
+
+    while (word > 0 && (isdigit((unsigned char)text[word - 1]) || strchr("/, ", text[word - 1])))
+        word--;
+    if (word == at || !isdigit((unsigned char)text[at + 1]))
+        return false;
+    for (end = word; word > 0 && isalpha((unsigned char)text[word - 1]);)
+        word--;
+    if (end == word || word_in(text + word, rows, sizeof rows / sizeof *rows) < 0)
+        return false;
+    while (word > 0 && text[word - 1] == ' ')
+        word--;
+    while (word > 0 && isalpha((unsigned char)text[word - 1]))
+        word--;
+    return word_in(text + word, again, sizeof again / sizeof *again) < 0;
+}
+
+/* `3rd and 4th rows` behind `work`, `then`: its bytes, and `rows 3 and 4`. */
+static size_t ordinals_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const leads[] = {"work", "then", "rep", "repeat"}, *const rows[] = {"row", "rows", "rnd", "rnds", "round", "rounds"},
+                             *const ends[] = {"st", "nd", "rd", "th"}, *const joins[] = {"and", "to"};
+    size_t here = at, before = at, n;
+    int number[2] = {0}, join = -1;
+
+    while (before > 0 && text[before - 1] == ' ')
+        before--;
+    while (before > 0 && isalpha((unsigned char)text[before - 1]))
+        before--;
+    if (before == at || word_in(text + before, leads, sizeof leads / sizeof *leads) < 0)
+        return 0;
+    for (int i = 0; i < 2; i++) {
+        n = strspn(text + here, "0123456789");
+        if (!n || n > 4 || word_in(text + here + n, ends, sizeof ends / sizeof *ends) < 0)
+            return 0;
+        number[i] = atoi(text + here);
+        here += n + 2 + strspn(text + here + n + 2, " ");
+        join = i == 0 ? word_in(text + here, joins, 2) : join;
+        if (join < 0)
+            break;
+        here += i == 0 ? word_length(text + here) + 1 : 0;
+    }
+    if (word_in(text + here, rows, sizeof rows / sizeof *rows) < 0)
+        return 0;
+    if (join < 0)
+        snprintf(plain, SIGNS_PLAIN, "row %d", number[0]);
+    else
+        snprintf(plain, SIGNS_PLAIN, "rows %d %s %d", number[0], joins[join], number[1]);
+    here += word_length(text + here) - at;
+    return strlen(plain) <= here ? here : 0;
+}
+
 size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     const char *here = text + at;
@@ -213,6 +291,14 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         snprintf(plain, SIGNS_PLAIN, "(%d)", atoi(here + 1));
         return count_length(here);
     }
+    if (*here == '/' && at > 0 && (is_between_stitches(text, at) || is_between_rows(text, at))) {
+        strcpy(plain, ",");
+        return 1;
+    }
+    if (*here == '-' && at > 0 && text[at - 1] == ' ' && here[1] == ' ')
+        return dash_remark_length(text, at);
+    if (begins && isdigit((unsigned char)*here))
+        return ordinals_length(text, at, plain);
     if (*here == '|')
         return is_table_bar(text, at);
     if (*here == ' ' && row_begins(text, at)) {

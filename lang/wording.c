@@ -88,6 +88,18 @@ static const struct phrase table[] = {
     {"> on =rs|ws|right|wrong =-? =side? =rows", ""},
     {"^ =# garter =ridge|ridges", ""},
 
+    /* other spellings */
+    {"c / o =#", "co"},
+    {"b / o", "bo"},
+    {"=times|time ,? for a total of # pattern|patt? repeats", ""},
+    {"=then , =row|rows|rnd|rnds|round|rounds", ""},
+    {"alternative =row|rows|rnd|rnds|round|rounds", "alternate"},
+    {"=row|rows|rnd|rnds|round|rounds =# =&|and row|rnd|round =#", ""},
+    {"=repeat|rep pattern|patt|pat|chart stitch|st? =row|rows|rnd|rnds|round|rounds =#", ""},
+    {"for pattern|patt|pat =until|till", ""},
+    {"repeating =to|across|until|from", "rep"},
+    {"=work|continue|cont|knit as established|est", "in patt"},
+
     /* so many more times */
     {"another|again|further|additional|extra # times|x|time", "# more times"},
     {"a|an|for|yet another|further|additional|extra # times|x|time", "# more times"},
@@ -277,7 +289,7 @@ static void put_phrase(struct wording *w, struct phrases *phrases, size_t at)
         char mark = *table[i].words;
 
         if ((mark == '@' && !behind_stitch(w->text, at)) || (strchr("^>", mark) && !begins_line(w->text, at)) ||
-            (strchr("<>", mark) && breaks(w->text, &found)) || (mark == '>' && !work_follows(w->text + found.end[found.n - 1])))
+            (breaks(w->text, &found) && (strchr("<>", mark) || w->text[found.end[found.n - 1]] == ':')) || (mark == '>' && !work_follows(w->text + found.end[found.n - 1])))
             continue;
         if (changes(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
             return;
@@ -325,6 +337,67 @@ static size_t title_length(const char *text)
             return 0;
     at += n + 1;
     return prose_pattern_follows(text + at + strspn(text + at, " \t")) ? at : 0;
+}
+
+/* How long `Lace panel - ` is at the beginning of a line, before a row with its number; or 0. */
+static size_t label_length(const char *text)
+{
+    static const char *const dashes[] = {"- ", "\xE2\x80\x93 ", "\xE2\x80\x94 "};
+    size_t at = 0;
+
+    for (int words = 0; words < 4 && isalpha((unsigned char)text[at]); words++) {
+        if (prose_row_word(text + at) && !prose_row_follows(text + at))
+            return 0;
+        while (isalpha((unsigned char)text[at]))
+            at++;
+        at += strspn(text + at, " ");
+    }
+    for (int i = 0; at > 0 && i < 3; i++)
+        if (strncmp(text + at, dashes[i], strlen(dashes[i])) == 0)
+            return prose_row_follows(text + at + strlen(dashes[i])) ? at + strlen(dashes[i]) : 0;
+    return 0;
+}
+
+/* How long `Row 1:` is before a cast-on; or 0. */
+static size_t first_row_length(const char *text)
+{
+    size_t at = one_of("row|rnd|round|r", text);
+
+    at += at ? strspn(text + at, " ") : 0;
+    if (!at || text[at] != '1' || isdigit((unsigned char)text[at + 1]))
+        return 0;
+    at++;
+    at += strspn(text + at, " ") + strspn(text + at + strspn(text + at, " "), ":.");
+    at += strspn(text + at, " ");
+    return one_of("cast|co", text + at) && prose_pattern_follows(text + at) ? at : 0;
+}
+
+/* Puts brackets for the inner pair of `*k2, **p1, k1** twice, p2; rep from *`. */
+static void put_inner(struct wording *w, size_t at)
+{
+    size_t line = at, close = at + 2 + strcspn(w->text + at + 2, "*:(){}[]\r\n"), behind;
+
+    while (line > 0 && !strchr("\r\n:", w->text[line - 1]))
+        line--;
+    behind = phrases_skip(w->text, close + 2);
+    if (line == 0 || w->text[line - 1] != ':' || !memchr(w->text + line, '*', at - line) || strncmp(w->text + close, "**", 2) != 0 ||
+        w->text[close + 2] == '*' || !(isdigit((unsigned char)w->text[behind]) || one_of("twice|thrice|once|two|three|four|x", w->text + behind)))
+        return;
+    memcpy(own_text(w) + at, " (", 2);
+    memcpy(own_text(w) + close, ") ", 2);
+}
+
+/* How long `{k1, p1}` is: nothing but stitches, and more than one; or 0. */
+static size_t braces_length(const char *text)
+{
+    size_t at = 1, stitches = 0;
+
+    for (; strchr("kKpP", text[at]) && text[at]; stitches++) {
+        at++;
+        at += strspn(text + at, "0123456789");
+        at += strspn(text + at, " ,");
+    }
+    return stitches > 1 && text[at] == '}' ? at + 1 : 0;
 }
 
 /* Where the sign + or # or ^ stands that `rep from +` names; or 0. */
@@ -409,8 +482,20 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         if (at == 0 || strchr("\r\n", w.text[at - 1])) {
             size_t mark = at + strspn(w.text + at, " \t-"), title = title_length(w.text + mark);
 
+            if (!title)
+                title = label_length(w.text + mark);
+            if (!title)
+                title = first_row_length(w.text + mark);
             if (title)
                 memset(own_text(&w) + mark, ' ', title);
+            if (mark > at && w.text[mark - 1] == '-' && prose_statement_follows(w.text + mark))
+                memset(own_text(&w) + at, ' ', mark - at);
+        }
+        if (c == '*' && strncmp(w.text + at, "**", 2) == 0 && w.text[at + 2] != '*')
+            put_inner(&w, at);
+        if (c == '{' && braces_length(w.text + at)) {
+            own_text(&w)[at + braces_length(w.text + at) - 1] = ')';
+            own_text(&w)[at] = '(';
         }
         if (strchr("rR", c) && strchr("eEpP", w.text[at + 1]) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && named_sign(w.text + at))
             put_stars(&w, at);

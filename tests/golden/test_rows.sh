@@ -153,7 +153,7 @@ wrong E0309 'Cast on 9|Row 1: (k1, p1 to last 2 sts) twice, k2' 'number of times
 wrong E0309 'Row 1: k2 3' 'has a number already'
 wrong E0310 'Row 1: *k2, p2; rep from * to end|Row 2: *k3, p3; rep from * to end' 'not said'
 wrong E0310 'Row 1: *k2, p2; rep from * to end|Row 2: k5' 'fits 5 stitches'
-wrong E0311 'Row 1: k2|Cast on 2' 'before the first row'
+wrong E0311 'Row 1: k2|Cast on 2|Row 2: k2' 'before the first row'
 wrong E0311 'Cast on 2|Cast on 2|Row 1: k2' 'already'
 wrong E0312 'Cast on 2|Row 1: as row 3' 'no row 3'
 wrong E0312 'Cast on 2|Row 1: k2|Repeat rows 1-3 once' 'no row 2'
