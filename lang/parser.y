@@ -411,7 +411,7 @@ row_head:
 | ROW row_sides[side] parts SETUP_ROW row_sides[behind]
                                         { $$ = syntax_head(parse, $ROW, $behind ? $behind : $side, $parts.first); $$.setup = true; }
 | SIDE ROW parts                        { $$ = syntax_head(parse, $ROW, $SIDE, $parts.first); }
-| ALL                                   { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, NULL, $ALL.kind)); }
+| ALL row_sides                         { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, $row_sides, ast_row_numbers(parse, @1, NULL, NULL, $ALL.kind)); }
 | SETUP row_sides                       { $$ = syntax_head(parse, $SETUP, $2, NULL); $$.setup = true; }
 | SETUP row_sides parts                 { $$ = syntax_head(parse, $SETUP, $2, $parts.first); $$.setup = true; }
 ;

@@ -311,7 +311,7 @@ static void flush(struct row_list *list)
         return;
     find_start(list);
     if (!n && !list->norder)
-        n = filler_for(list, 1, list->round ? SIDE_RS : SIDE_OPEN) ? 1 : 2;
+        n = filler_for(list, 1, side_of(list, 0)) == filler_for(list, 2, side_of(list, 1)) ? 1 : 2;
     else if (n && (list->norder + n) % 2 && filler_for(list, list->first + n, side_of(list, list->norder + n)))
         n++;
     for (int i = 0; i < n && !list->failed; i++) {
