@@ -192,11 +192,11 @@ static bool row_begins(const char *text, size_t at)
 /* The dash of `k5 - border`, with its remark: up to a mark or the line's end. */
 static size_t dash_remark_length(const char *text, size_t at)
 {
-    size_t length = 2 + strcspn(text + at + 2, ",;:.()[]*\r\n");
+    size_t dash = text[at] == '-' ? 1 : 3, length = dash + 1 + strcspn(text + at + dash + 1, ",;:.()[]*\r\n");
 
     while (at > 0 && text[at - 1] == ' ')
         at--;
-    return at > 0 && isdigit((unsigned char)text[at - 1]) && is_remark(text + at + (text[at] == ' ') + 2, length - 2) ? length : 0;
+    return at > 0 && isdigit((unsigned char)text[at - 1]) && is_remark(text + at + dash + 1, length - dash - 1) ? length : 0;
 }
 
 /* The sign between stitches of `p2/k6/p2`. */
@@ -295,7 +295,8 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         strcpy(plain, ",");
         return 1;
     }
-    if (*here == '-' && at > 0 && text[at - 1] == ' ' && here[1] == ' ')
+    if (at > 0 && text[at - 1] == ' ' &&
+        (strncmp(here, "- ", 2) == 0 || strncmp(here, "\xE2\x80\x93 ", 4) == 0 || strncmp(here, "\xE2\x80\x94 ", 4) == 0))
         return dash_remark_length(text, at);
     if (begins && isdigit((unsigned char)*here))
         return ordinals_length(text, at, plain);
