@@ -33,6 +33,12 @@ static struct chart_file chart_file(const char *wish)
     return (struct chart_file){.kind = OUTPUT_CHART, .path = wish};
 }
 
+/* `foo:x.svg`: of no kind there is. */
+static bool names_other_kind(const char *wish)
+{
+    return chart_file(wish).path == wish && wish[strspn(wish, "abcdefghijklmnopqrstuvwxyz")] == ':';
+}
+
 static enum status write_charts(const struct options *options, const struct scene *scene)
 {
     struct file_log log = {0};
@@ -51,7 +57,7 @@ static enum status write_charts(const struct options *options, const struct scen
 enum status command_chart(const struct options *options)
 {
     for (int i = 0; i < options->noutputs; i++)
-        if (!outputs_has_chart(chart_file(options->output[i])))
+        if (names_other_kind(options->output[i]) || !outputs_has_chart(chart_file(options->output[i])))
             return options_wrong(options, "a chart is written as .svg, .pdf, .png, .txt, .csv, .k or pixels:x.png, not as '%s'",
                                  options->output[i]);
 

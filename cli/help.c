@@ -27,7 +27,7 @@ static void print_overview(void)
 
 static void print_command(const struct command *command)
 {
-    printf("Usage: weft %s %s [OPTION]...\n\n%s\nOptions:\n", command->name, command->operands, command->about);
+    printf("Usage: weft %s%s%s [OPTION]...\n\n%s\nOptions:\n", command->name, *command->operands ? " " : "", command->operands, command->about);
     for (const struct option *o = option_table; o->help; o++)
         if (options_belong(o, command))
             print_option(o);

@@ -119,6 +119,12 @@ bool import_chart(struct arena *arena, struct diag *diag, const struct source *s
 
 static struct pattern read_pattern(struct import *import, const struct format *format)
 {
+    const char *other = format->extension ? NULL : source_other_format(import->source);
+    if (other) {
+        diag_error(&import->diag, CODE_CHART_MARK, (struct span){import->source, 0, 0}, "this is %s, not a chart", other);
+        diag_hint(&import->diag, "charts are read from .csv, .png with a pixel for each stitch, .k, written rows, and lines of K and P");
+        return (struct pattern){0};
+    }
     if (import->source->size <= LIMIT_FILE)
         return format->read(import);
     diag_error(&import->diag, CODE_LIMIT_FILE, (struct span){import->source, 0, 0}, "the file is longer than %d bytes",

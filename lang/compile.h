@@ -55,6 +55,9 @@ struct compile_options {
  * this is an input failure, not an error of the script. */
 const struct source *source_read(struct arena *, const char *path, const char **why);
 
+/* "a PDF file": what its first bytes say it is, where that is neither a script nor a chart; or NULL. */
+const char *source_other_format(const struct source *);
+
 /* The path of a file that is there and spelt nearly like this one, which is not; or NULL. */
 const char *source_nearest(struct arena *, const char *path);
 

@@ -33,16 +33,19 @@ static struct binding *find_param(const struct eval *eval, const char *name)
 static void unknown_param(struct eval *eval, struct span span, const char *name)
 {
     struct nearest nearest = nearest_to(name);
-    int n = 0;
+    const char *list = NULL;
 
     for (const struct binding *b = eval->main->first; b; b = b->after)
         if (b->kind == BINDING_PARAM) {
             nearest_offer(&nearest, b->name);
-            n++;
+            list = list ? arena_printf(eval->arena, "%s, %s", list, b->name) : b->name;
         }
     diag_error(eval->diag, CODE_DEFINE, span, "the script has no param '%s'", name);
-    diag_did_you_mean(eval->diag, nearest.best);
-    if (!n)
+    if (nearest.best)
+        diag_did_you_mean(eval->diag, nearest.best);
+    else if (list)
+        diag_hint(eval->diag, "its params: %s", list);
+    else
         diag_hint(eval->diag, "it has none at all; `param %s = ..` makes one", name);
 }
 

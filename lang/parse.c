@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/compile.h"
 #include "lang/limits.h"
 #include "lang/scanner.h"
 #include "lang/wording.h"
@@ -15,12 +16,14 @@ static const struct format {
     const char *what;
     const char *advice;
 } formats[] = {
-    {"{", "this is a JSON file, not a script", NULL},
-    {"[", "this is a JSON file, not a script", NULL},
-    {"<", "this is an XML or HTML file, not a script", "save the pattern's text alone and try again"},
-    {"%PDF", "this is a PDF file, not a script", "copy the pattern's text out of it into a file of its own"},
-    {"\x89PNG", "this is a picture, not a script", "`weft import` reads charts from pictures"},
-    {";!knitout", "this is a knitout file, not a script", "`weft import` makes a script of it"},
+    {"{", "a JSON file", NULL},
+    {"[", "a JSON file", NULL},
+    {"<", "an XML or HTML file", "save the pattern's text alone and try again"},
+    {"%PDF", "a PDF file", "copy the pattern's text out of it into a file of its own"},
+    {"\x89PNG", "a picture", "`weft import` reads charts from pictures"},
+    {";!knitout", "a knitout file", "`weft import` makes a script of it"},
+    {"\xFF\xFE", "a text in UTF-16", "save it as UTF-8 and try again"},
+    {"\xFE\xFF", "a text in UTF-16", "save it as UTF-8 and try again"},
 };
 
 static struct span whole_line(const struct source *source, size_t at)
@@ -28,17 +31,31 @@ static struct span whole_line(const struct source *source, size_t at)
     return diag_line_around((struct span){source, (unsigned)at, (unsigned)at});
 }
 
-static bool is_other_format(struct diag *diag, const struct source *source, const char *text)
+static const struct format *find_format(const char *text)
 {
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
-        if (strncmp(text, formats[i].first, strlen(formats[i].first)) == 0) {
-            diag_error(diag, CODE_NOT_A_SCRIPT, whole_line(source, (size_t)(text - source->text)), "%s",
-                       formats[i].what);
-            if (formats[i].advice)
-                diag_hint(diag, "%s", formats[i].advice);
-            return true;
-        }
-    return false;
+        if (strncmp(text, formats[i].first, strlen(formats[i].first)) == 0)
+            return &formats[i];
+    return NULL;
+}
+
+const char *source_other_format(const struct source *source)
+{
+    const struct format *format = find_format(source->text + strspn(source->text, " \t\r\n\f\v"));
+
+    return format ? format->what : NULL;
+}
+
+static bool is_other_format(struct diag *diag, const struct source *source, const char *text)
+{
+    const struct format *format = find_format(text);
+
+    if (!format)
+        return false;
+    diag_error(diag, CODE_NOT_A_SCRIPT, whole_line(source, (size_t)(text - source->text)), "this is %s, not a script", format->what);
+    if (format->advice)
+        diag_hint(diag, "%s", format->advice);
+    return true;
 }
 
 /* Bytes that text does not have. */
@@ -101,14 +118,14 @@ static bool is_script(struct diag *diag, const struct source *source, const char
 {
     const char *first = text + strspn(text, " \t\r\n\f\v");
 
-    if (is_too_long(diag, source) || is_binary(diag, source))
+    if (is_too_long(diag, source) || is_other_format(diag, source, first) || is_binary(diag, source))
         return false;
     if (!*first) {
         diag_error(diag, CODE_NOT_A_SCRIPT, (struct span){source, 0, 0}, "the file is empty");
         diag_hint(diag, "a pattern of two lines: `Cast on 20 sts` and `Row 1: *k2, p2; rep from *`");
         return false;
     }
-    return !is_other_format(diag, source, first) && !is_stitch_grid(diag, source, first);
+    return !is_stitch_grid(diag, source, first);
 }
 
 unsigned source_start(const struct source *source)

@@ -165,6 +165,16 @@ awk 'BEGIN { for (i = 0; i < 110000; i++) print i * i % 7 < 3 ? "K" : "P" }' >"$
 check 'a hundred thousand rows' sh -c '"$1" import "$2/high.txt" | "$1" check - >"$2/out"' - "$WEFT" "$work"
 out 'all of them' '1 stitches x 110000 rows'
 
+# ---- what is no chart ----
+
+printf '<?xml version="1.0"?>\n<svg>\n</svg>\n' >"$work/drawn.svg"
+exits 3 'a drawing' "$WEFT" import "$work/drawn.svg"
+err 'is named' 'this is an XML or HTML file, not a chart'
+check 'once' test "$(grep -c 'error' "$work/err")" = 1
+printf '%%PDF-1.5\n1 0 obj\n' >"$work/page.pdf"
+exits 3 'a PDF' "$WEFT" import "$work/page.pdf"
+err 'is named, too' 'this is a PDF file, not a chart'
+
 # ---- there and back ----
 
 mkdir "$work/random" "$work/library"

@@ -60,6 +60,9 @@ check 'have their numbers at the right' diff - "$work/out" <<'TEXT'
  p k k k  1
 TEXT
 
+exits 2 'a kind that no chart is of' "$WEFT" chart "$work/flag.knit" -o "report:$work/x.svg"
+err 'is named' "not as 'report:"
+
 if [ -w /dev/full ]; then
     exits 4 'a full disk' sh -c '"$1" chart "$2" >/dev/full' - "$WEFT" "$work/flag.knit"
     err 'is said' 'standard output: No space left'

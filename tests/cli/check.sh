@@ -60,6 +60,19 @@ err 'is not a script' "cannot read '.*': Is a directory"
 exits 0 'standard input' sh -c '"$1" check - <"$2"' - "$WEFT" "$work/good.knit"
 exits 3 'a bad standard input' sh -c '"$1" check - <"$2"' - "$WEFT" "$work/short.knit"
 
+# Files that are something else: one sentence each.
+printf '\377\376R\000o\000w\000' >"$work/wide.knit"
+exits 3 'a text in UTF-16' "$WEFT" check "$work/wide.knit"
+err 'is named' 'this is a text in UTF-16, not a script'
+err 'and how it is read' 'save it as UTF-8'
+printf '\211PNG\r\n\032\n\000' >"$work/p.knit"
+exits 3 'a picture' "$WEFT" check "$work/p.knit"
+err 'is named, too' 'this is a picture, not a script'
+
+printf 'param n = 2\nparam wide = 3\nRow 1: k{n}, p{wide}\n' >"$work/params.knit"
+exits 2 'a param far from all' "$WEFT" check -D q=1 "$work/params.knit"
+err 'is told which there are' 'its params: n, wide'
+
 # Every line of --diagnostics json is an object by itself, or all are one value.
 exits 3 'messages as JSON' "$WEFT" check --diagnostics json "$work/short.knit"
 check 'are JSON' tests/cli/json "$work/err"
