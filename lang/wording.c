@@ -139,6 +139,11 @@ static const struct phrase table[] = {
     {"=end|ends|ending|finish|finishing =the? =last =rep|repeat after|at|on", ""},
     {"last rep|repeat ends|ending with|at|after|in?", "end last rep"},
 
+    /* a row's neighbour */
+    {"=# =rows|rounds|rnds , bind|cast off", "; bind off"},
+    {"=# =rows|rounds|rnds and|then bind|cast off", "; bind off"},
+    {"=# =rows|rounds|rnds , then bind|cast off", "; bind off"},
+
     /* line ends within */
     {"=end =of =the|this|each? =row|round|rnd", ""},
     {"=until|till|to =the? =end", ""},
