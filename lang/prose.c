@@ -185,7 +185,7 @@ bool prose_casts_some(const char *text)
     for (size_t i = 0; i < sizeof word / sizeof *word; i++)
         if (line_has_word(text, word[i]))
             return true;
-    return false;
+    return line_has_word(text, "to") && line_has_word(text, "end");
 }
 
 size_t prose_begins_cast_on(const char *text)
