@@ -14,7 +14,7 @@ limit() {
     status=0
     (
         # The sanitizers reserve more than any limit; they have their own.
-        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 5
+        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 20
         exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
     ) || status=$?
     if [ $status = 3 ] && grep -q "\[$1\]" "$work/out"; then
@@ -130,12 +130,12 @@ else
 fi
 
 # Errors on every line: after ten thousand of them the file is read no further, with
-# five bytes of memory for each of the file, and long before it would have been read.
+# five bytes of memory for each of the file; a hang ends at the processor time allowed.
 lean_limit() {
     size=$(wc -c <"$work/x.knit")
     status=0
     (
-        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 2
+        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 20
         [ -z "${base-}" ] || ulimit -v $((base + 5 * size / 1024))
         exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
     ) || status=$?
