@@ -93,6 +93,11 @@ opens() {
     fi
 }
 
+# sanitized PROGRAM: is it built with the address sanitizer, whose own memory is beyond any limit?
+sanitized() {
+    grep -aq __asan_init "$1"
+}
+
 # A ribbed swatch of 8 columns and 4 rows, to which settings and outputs are added.
 rib_script() {
     echo 'Cast on 8 sts'

@@ -13,8 +13,7 @@ make() {
 limit() {
     status=0
     (
-        # The sanitizers reserve more than any limit; they have their own.
-        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 20
+        sanitized "$dump" || ulimit -t 20
         exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
     ) || status=$?
     if [ $status = 3 ] && grep -q "\[$1\]" "$work/out"; then
@@ -105,7 +104,6 @@ large 'print "swatch each (x, y) in 1000 by 1000 : (x + y) mod 12 < 6 ? P : K"' 
 large 'printf "Cast on 200000\nRow 1: "; for (i = 0; i < 100000; i++) printf "k1, p1, "; print ""' 'a row of a million letters' '200000 x 1'
 
 # 32 bytes of memory for each of a million stitches, and what a single one needs.
-# The sanitizers' own memory is beyond any limit.
 within() {
     limit=$1
     shift
@@ -115,7 +113,7 @@ lean() {
     make "$1"
     exits 0 "$2: 32 bytes for each of a million stitches" within $((base + 31250)) "$dump" --size "$work/x.knit"
 }
-if grep -aq __asan_init "$dump"; then
+if sanitized "$dump"; then
     skip 'memory for a million stitches' 'built with the address sanitizer'
 else
     make 'print "swatch K"'
@@ -135,7 +133,7 @@ lean_limit() {
     size=$(wc -c <"$work/x.knit")
     status=0
     (
-        [ -n "${ASAN_OPTIONS-}" ] || ulimit -t 20
+        sanitized "$dump" || ulimit -t 20
         [ -z "${base-}" ] || ulimit -v $((base + 5 * size / 1024))
         exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
     ) || status=$?
