@@ -34,7 +34,7 @@ check 'the Miura swatch with ten steps is under 3 MB' \
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || browser=
 if ! command -v node >/dev/null 2>&1 || [ ! -d "$WEFT_SOURCE/viewer/node_modules/playwright-core" ]; then
     skip 'in a browser' 'no playwright-core (npm)'
-elif ! node -e 'process.exit(parseInt(process.versions.node, 10) < 20)'; then
+elif ! node -e 'process.exit(parseInt(process.versions.node, 10) < 20 ? 1 : 0)'; then
     skip 'in a browser' "playwright-core needs Node 20, this is $(node --version)"
 elif [ -z "$browser" ]; then
     skip 'in a browser' 'no chromium'
