@@ -25,7 +25,7 @@ EXTRA_DIST += bench/run.sh bench/lib.sh bench/report.awk bench/limits.sh bench/s
 EXTRA_DIST += docs/numerics.md docs/plots/accuracy.svg docs/plots/converge.svg docs/plots/estimate.svg docs/plots/gradient.svg docs/plots/scaling.svg
 EXTRA_DIST += bench/plot.gp
 
-# Some twenty minutes, more on a busy machine; the plots want gnuplot.  See bench/run.sh for parts of it.
+# Some eighty minutes, half of them the baseline; the plots want gnuplot.  See bench/run.sh for parts of it.
 bench: weft bench/limits$(EXEEXT) bench/warm$(EXEEXT) bench/write$(EXEEXT)
 	srcdir='$(srcdir)' WEFT=./weft sh '$(srcdir)/bench/run.sh'
 clean-local-bench:

@@ -9,11 +9,12 @@ make() {
     awk "BEGIN { $1 }" >"$work/x.knit"
 }
 
-# limit CODE NAME: the script made before is refused with this code.
+# limit CODE NAME: the script made before is refused with this code, within $room kilobytes if that is set.
 limit() {
     status=0
     (
         sanitized "$dump" || ulimit -t 20
+        [ -z "${room-}" ] || ulimit -v "$room"
         exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
     ) || status=$?
     if [ $status = 3 ] && grep -q "\[$1\]" "$work/out"; then
@@ -130,19 +131,8 @@ fi
 # Errors on every line: after ten thousand of them the file is read no further, with
 # five bytes of memory for each of the file; a hang ends at the processor time allowed.
 lean_limit() {
-    size=$(wc -c <"$work/x.knit")
-    status=0
-    (
-        sanitized "$dump" || ulimit -t 20
-        [ -z "${base-}" ] || ulimit -v $((base + 5 * size / 1024))
-        exec "$dump" --size "$work/x.knit" >"$work/out" 2>&1
-    ) || status=$?
-    if [ $status = 3 ] && grep -q "\[$1\]" "$work/out"; then
-        pass "$1: $2"
-    else
-        fail "$1: $2 (exit status $status)"
-        head -c 2000 "$work/out" | sed 's/^/# /'
-    fi
+    [ -z "${base-}" ] || room=$((base + 5 * $(wc -c <"$work/x.knit") / 1024))
+    limit "$@"
 }
 make 'print "Cast on 4\nRow 1: k4"; for (i = 0; i < 800000; i++) print "rep from x"'
 lean_limit E0714 'errors within one row'
