@@ -9,6 +9,7 @@
 
 #include "charts/written.h"
 #include "lang/limits.h"
+#include "lang/names.h"
 #include "lang/parse.h"
 
 /* ---- the motif's name ---- */
@@ -130,8 +131,8 @@ void import_script(struct text *text, const struct pattern *whole, const char *p
     struct pattern part = find_repeat(text->arena, whole), *p = &part;
     const char *name = motif_name(text->arena, path);
     const char *end = p->across > 1 || p->up > 1 ? "}\nswatch tile(%s, %d, %d)\n" : "}\nswatch %s\n";
-    text_print(text, "# %s, from %s: %d stitches x %d rows\n", what, one_line(text->arena, path), whole->grid->columns,
-               whole->grid->rows);
+    text_print(text, "# %s, from %s: %d %s x %d %s\n", what, one_line(text->arena, path), whole->grid->columns,
+               names_count(whole->grid->columns, "stitch", "stitches"), whole->grid->rows, names_count(whole->grid->rows, "row", "rows"));
     if (p->remark)
         text_print(text, "# %s\n", p->remark);
     if (p->words) {

@@ -36,7 +36,7 @@ static struct chart_file chart_file(const char *wish)
 /* `foo:x.svg`: of no kind there is. */
 static bool names_other_kind(const char *wish)
 {
-    return chart_file(wish).path == wish && wish[strspn(wish, "abcdefghijklmnopqrstuvwxyz")] == ':';
+    return chart_file(wish).path == wish && options_names_kind(wish);
 }
 
 static enum status write_charts(const struct options *options, const struct scene *scene)

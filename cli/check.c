@@ -6,12 +6,13 @@
 
 #include "cli/command.h"
 #include "cli/script.h"
+#include "lang/names.h"
 
 static void print_swatch(const char *path, const struct scene *scene)
 {
     const struct grid *g = scene->grid;
-    printf("%s: %d stitches x %d rows, %lld knit, %lld purl", path, g->columns, g->rows, grid_count(g, STITCH_K),
-           grid_count(g, STITCH_P));
+    printf("%s: %d %s x %d %s, %lld knit, %lld purl", source_called(path), g->columns, names_count(g->columns, "stitch", "stitches"),
+           g->rows, names_count(g->rows, "row", "rows"), grid_count(g, STITCH_K), grid_count(g, STITCH_P));
     for (int id = STITCH_P + 1; id < scene->nstitches; id++)
         if (grid_count(g, (stitch_id)id) > 0)
             printf(", %lld %s", grid_count(g, (stitch_id)id), scene->stitch[id].name);

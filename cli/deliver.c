@@ -25,10 +25,19 @@ static enum status read_again(const struct text *text, const char *name, const s
     const struct scene *scene = scene_compile(&arena, &diag, source, NULL);
     bool same = scene && grid_equal(scene->grid, grid);
     if (!same)
-        fprintf(stderr, "weft: %s: this fabric cannot be written as a script: %s\n", name,
+        fprintf(stderr, "weft: %s: this fabric cannot be written as a script: %s\n", source_called(name),
                 diag.first ? diag.first->text : "it would be read differently");
     arena_free(&arena);
     return same ? STATUS_DONE : STATUS_SCRIPT;
+}
+
+enum status deliver_check(const struct options *options)
+{
+    for (int i = 0; i < options->noutputs; i++)
+        if (options_names_kind(options->output[i]))
+            return options_wrong(options, "what this writes has one kind, a script: '%s' names another; for a file of this name: -o ./%s",
+                                 options->output[i], options->output[i]);
+    return STATUS_DONE;
 }
 
 enum status deliver_script(const struct options *options, const struct text *text, const char *name,

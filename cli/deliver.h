@@ -7,6 +7,9 @@
 #include "cli/options.h"
 #include "lang/grid.h"
 
+/* STATUS_USAGE, with a message, where -o names a kind: `foo:x.knit`. */
+enum status deliver_check(const struct options *options);
+
 /* A script of which weft has made the text; name stands for it in messages. It
  * is read again first: STATUS_SCRIPT, with the reason on standard error, if that
  * does not give the grid, because some fabrics are too long for the language's

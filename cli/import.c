@@ -156,7 +156,10 @@ enum status command_import(const struct options *options)
     struct arena arena = {0};
     struct import import = {.options = options, .arena = &arena};
     const char *why = "", *path = options->operand[0];
-    enum status status = STATUS_FILES;
+    enum status status = deliver_check(options);
+    if (status != STATUS_DONE)
+        return status;
+    status = STATUS_FILES;
     diag_init(&import.diag, &arena);
     if (options->key)
         import.key = picture_key(&arena, options->key, &why);

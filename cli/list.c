@@ -61,7 +61,7 @@ static enum status print_motif(struct arena *arena, const struct library_motif *
     print_multiple(multiple, m);
     file_print(file, "%s%s: ", m->name, m->arguments);
     print_about(file, library_text(arena, m->file), m->name);
-    file_print(file, "multiple of %s, %d rows, in %s\n\n", multiple, m->rows, m->file);
+    file_print(file, "multiple of %s, %d %s, in %s\n\n", multiple, m->rows, names_count(m->rows, "row", "rows"), m->file);
     chart_text(file, &scene);
     bool done = file_commit(file);
     if (log.error)

@@ -59,6 +59,12 @@ static bool take_include(struct options *o, const struct option *option, const c
     return true;
 }
 
+bool options_names_kind(const char *path)
+{
+    size_t length = strspn(path, "abcdefghijklmnopqrstuvwxyz");
+    return length > 0 && path[length] == ':';
+}
+
 static bool take_output(struct options *o, const struct option *option, const char *value)
 {
     (void)option;

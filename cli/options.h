@@ -82,4 +82,7 @@ bool options_colored(const struct options *options);
 enum status options_wrong(const struct options *options, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* Is a path of -o written KIND:PATH, with a colon behind its first word? */
+bool options_names_kind(const char *path);
+
 #endif

@@ -109,7 +109,7 @@ enum status outputs_check_chart(struct chart_file chart, const struct scene *sce
     enum canvas_format format;
     const char *refusal = is_drawn(chart, &format) ? drawn_refusal(scene, &chart.look, format) : NULL;
     if (refusal) {
-        fprintf(stderr, "%s: the chart cannot be written as '%s': %s\n", scene->file, chart.path, refusal);
+        fprintf(stderr, "%s: the chart cannot be written as '%s': %s\n", source_called(scene->file), chart.path, refusal);
         return STATUS_SCRIPT;
     }
     bool plain = chart.kind == OUTPUT_PIXELS || (chart.kind == OUTPUT_CHART && has_extension(chart.path, ".k"));
@@ -121,7 +121,7 @@ enum status outputs_check_chart(struct chart_file chart, const struct scene *sce
 static void print_place(const struct scene *scene, const struct output *output, const char *severity)
 {
     if (output->line > 0)
-        fprintf(stderr, "%s:%d: %s: ", scene->file, output->line, severity);
+        fprintf(stderr, "%s:%d: %s: ", source_called(scene->file), output->line, severity);
     else
         fprintf(stderr, "weft: -o %s: ", output->path);
 }

@@ -4,11 +4,14 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/command.h"
 #include "cli/script.h"
 #include "output/json.h"
 #include "output/number.h"
+
+enum { VALUE_TEXT = NUMBER_TEXT + 4 };
 
 static void add_param(cJSON *list, const struct setting *s)
 {
@@ -47,15 +50,23 @@ static enum status print_json(const struct scene *scene)
     return STATUS_DONE;
 }
 
+/* A number as a script has it: lengths are kept in millimetres. */
+static void print_value(char text[VALUE_TEXT], const struct setting *s, double value)
+{
+    number_print(text, value);
+    if (strcmp(s->unit, "length") == 0)
+        strcat(text, " mm");
+}
+
 static void print_table(const struct scene *scene)
 {
     for (const struct setting *s = scene->setting; s < scene->setting + scene->nsettings; s++) {
-        char value[NUMBER_TEXT], low[NUMBER_TEXT], high[NUMBER_TEXT], range[2 * NUMBER_TEXT + 8] = "";
+        char value[VALUE_TEXT], low[VALUE_TEXT], high[VALUE_TEXT], range[2 * VALUE_TEXT + 8] = "";
         if (!s->is_param)
             continue;
-        number_print(value, s->number);
-        number_print(low, s->low);
-        number_print(high, s->high);
+        print_value(value, s, s->number);
+        print_value(low, s, s->low);
+        print_value(high, s, s->high);
         if (s->low <= s->high)
             snprintf(range, sizeof range, "in %s..%s", low, high);
         printf("%-12s = %-8s %-12s %s\n", s->name, s->text ? s->text : value, range, s->about ? s->about : "");

@@ -18,6 +18,7 @@
 #include "cli/build.h"
 #include "cli/recorded.h"
 #include "cli/run.h"
+#include "lang/names.h"
 
 /* A manifest and what follows from it. */
 struct repeat {
@@ -194,9 +195,9 @@ static enum status compare_outputs(const struct repeat *r, const struct file_log
             printf("%s: the same%s\n", path, entry->lasting[0] ? ", but for time, memory, path and threads" : "");
     }
     if (same == n)
-        printf("all %d outputs are identical\n", n);
+        printf(n == 1 ? "its output is identical\n" : "all %d outputs are identical\n", n);
     else
-        printf("%d of %d outputs are identical\n", same, n);
+        printf("%d of %d %s identical\n", same, n, names_count(n, "output is", "outputs are"));
     return same == n ? STATUS_DONE : STATUS_FAILED;
 }
 

@@ -15,6 +15,7 @@
 #include "cli/interrupt.h"
 #include "cli/manifest.h"
 #include "cli/repeat.h"
+#include "lang/names.h"
 #include "solver/forecast.h"
 #include "solver/sheet.h"
 
@@ -75,7 +76,7 @@ static void print_files(const struct run *run)
             continue;
         printf("%s %s", before, scene->output[i].path);
         if (steps >= 0)
-            printf(" and its %d steps", steps);
+            printf(" and its %d %s", steps, names_count(steps, "step", "steps"));
         before = ",";
     }
     for (int i = 0; i < scene->noutputs; i++)
@@ -92,7 +93,7 @@ static void print_files(const struct run *run)
 static void print_summary(const struct run *run)
 {
     const struct fold_record *r = &run->record;
-    printf("%s: %s%s%s\n", run->script.scene->file, ending[r->status].sentence, r->remark ? "; " : "",
+    printf("%s: %s%s%s\n", source_called(run->script.scene->file), ending[r->status].sentence, r->remark ? "; " : "",
            r->remark ? r->remark : "");
     if (r->status != FOLD_FAILED) {
         printf("energy %.6g: stretching %.6g, bending %.6g, springs %.6g", r->energy.total, r->energy.stretching,
@@ -141,7 +142,7 @@ static enum status finished(const struct run *run)
     if (!run->options->quiet)
         print_summary(run);
     else if (!good)
-        fprintf(stderr, "weft: %s: %s\n", run->script.scene->file, ending[run->record.status].sentence);
+        fprintf(stderr, "weft: %s: %s\n", source_called(run->script.scene->file), ending[run->record.status].sentence);
     return good ? STATUS_DONE : STATUS_FAILED;
 }
 
@@ -171,8 +172,9 @@ static void print_plan(const struct scene *scene, int seeds)
     struct forecast forecast = forecast_fold(sheet);
     sheet_free(sheet);
     bool plain = scene->solve.method == METHOD_LBFGS;
-    printf("%s: %d stitches x %d rows, %d growth steps\n", scene->file, scene->grid->columns, scene->grid->rows,
-           scene->solve.steps);
+    printf("%s: %d %s x %d %s, %d growth %s\n", source_called(scene->file), scene->grid->columns,
+           names_count(scene->grid->columns, "stitch", "stitches"), scene->grid->rows, names_count(scene->grid->rows, "row", "rows"),
+           scene->solve.steps, names_count(scene->solve.steps, "step", "steps"));
     printf("%d per stitch%s: %ld unknowns, %ld elements\n", forecast.per_stitch,
            scene->mesh.per_stitch || plain ? "" : " (as a sample of the swatch takes)", forecast.unknowns, forecast.elements);
     if (seeds > 1) {    /* the one that is kept is folded once more */
@@ -254,8 +256,8 @@ static void note_sweep(const struct run *run)
     for (int i = 0; i < scene->naxes; i++)
         npoints *= scene->axis[i].npoints;
     if (scene->naxes > 0 && !run->of_sweep && !run->options->quiet)
-        fprintf(stderr, "note: %s has a sweep of %d points; this run takes each param as it stands, `weft sweep %s` runs all points\n",
-                scene->file, npoints, scene->file);
+        fprintf(stderr, "note: %s has a sweep of %d %s; this run takes each param as it stands, `weft sweep %s` runs all points\n",
+                source_called(scene->file), npoints, names_count(npoints, "point", "points"), scene->file);
 }
 
 enum status run_script(struct run *run, const char *path)

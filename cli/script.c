@@ -43,7 +43,7 @@ enum status script_knit_and_purl(const struct scene *scene)
 {
     for (int id = STITCH_P + 1; id < scene->nstitches; id++)
         if (grid_count(scene->grid, (stitch_id)id) > 0) {
-            fprintf(stderr, "weft: %s: the stitch %s is neither knit nor purl, so this cannot be written\n", scene->file,
+            fprintf(stderr, "weft: %s: the stitch %s is neither knit nor purl, so this cannot be written\n", source_called(scene->file),
                     scene->stitch[id].name);
             return STATUS_SCRIPT;
         }

@@ -25,6 +25,7 @@
 #include "cli/script.h"
 #include "cli/sweep_plot.h"
 #include "cli/sweep_table.h"
+#include "lang/names.h"
 
 /* ---- the words of a point's own command ---- */
 
@@ -261,7 +262,7 @@ static void run_points(struct crew *crew)
 
 static void print_count(const struct sweep *sweep, const struct sweep_count *count, const struct file_log *log)
 {
-    printf("%d points: %d converged, %d ended otherwise, %d missing", sweep->npoints, count->good, count->other, count->missing);
+    printf("%d %s: %d converged, %d ended otherwise, %d missing", sweep->npoints, names_count(sweep->npoints, "point", "points"), count->good, count->other, count->missing);
     if (count->stale > 0)
         printf(" (%d of them of another script, other settings or outputs)", count->stale);
     for (int i = 0; i < log->nentries; i++)
@@ -337,7 +338,8 @@ static enum status run_sweep(const struct sweep *sweep, const struct scene *scen
 {
     const struct options *o = sweep->options;
     if (o->point > sweep->npoints)
-        return options_wrong(o, "the sweep of %s has %d points, there is no point %d", sweep->script, sweep->npoints, o->point);
+        return options_wrong(o, "the sweep of %s has %d %s, there is no point %d", sweep->script, sweep->npoints,
+                             names_count(sweep->npoints, "point", "points"), o->point);
     const char *twice = set_twice(sweep);
     if (twice)
         return options_wrong(o, "-D %s: the sweep of %s sets this param; `weft run` takes one value of it", twice, sweep->script);

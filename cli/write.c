@@ -25,7 +25,7 @@ static enum status write_pattern(struct text *text, const struct scene *scene, b
     int unshown = round ? -1 : dictionary_unshown(&words, scene->grid);
     if (unshown >= 0) {
         fprintf(stderr, "weft: %s: no stitch worked on the wrong side shows the stitch %s (`ws = %s` in another says which; --round writes rounds)\n",
-                scene->file, scene->stitch[unshown].name, scene->stitch[unshown].name);
+                source_called(scene->file), scene->stitch[unshown].name, scene->stitch[unshown].name);
         return STATUS_SCRIPT;
     }
     if (own)
@@ -36,11 +36,15 @@ static enum status write_pattern(struct text *text, const struct scene *scene, b
 
 enum status command_write(const struct options *options)
 {
+    enum status status = deliver_check(options);
+    if (status != STATUS_DONE)
+        return status;
+
     /* The outputs are the text's, not the script's. */
     struct options only_script = *options;
     only_script.noutputs = 0;
     struct script script;
-    enum status status = script_load(&script, options->operand[0], &only_script);
+    status = script_load(&script, options->operand[0], &only_script);
     const struct scene *scene = script.scene;
     struct text text = {.arena = &script.arena};
     if (status == STATUS_DONE)

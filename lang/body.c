@@ -185,7 +185,7 @@ static bool count_rows(struct eval *eval, struct where where, const struct row *
     *n -= before;
     if (*n > 0)
         return true;
-    diag_error(eval->diag, CODE_ROW_NUMBER, row->head, "there are %lld rows already", before);
+    diag_error(eval->diag, CODE_ROW_NUMBER, row->head, "there %s already", before == 1 ? "is 1 row" : arena_printf(eval->arena, "are %lld rows", before));
     return false;
 }
 

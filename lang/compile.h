@@ -50,6 +50,9 @@ struct compile_options {
     long long                      work;        /* steps and stitches at most; 0: as limits.h has them */
 };
 
+/* What a file's name is in messages: "-" is standard input. */
+const char *source_called(const char *name);
+
 /* A whole file, or standard input for "-".  NULL when it could not be read;
  * *why then says so ("No such file or directory").  Never a message in diag:
  * this is an input failure, not an error of the script. */

@@ -3,6 +3,7 @@
  * message for editors. */
 #include <string.h>
 
+#include "lang/compile.h"
 #include "lang/diag.h"
 #include "lang/limits.h"
 
@@ -20,11 +21,6 @@ static const char *if_color(bool color, const char *code)
     return color ? code : "";
 }
 
-static const char *name_of(const struct source *source)
-{
-    return strcmp(source->name, "-") == 0 ? "standard input" : source->name;
-}
-
 static void print_place(FILE *out, struct span span)
 {
     struct place place;
@@ -36,7 +32,7 @@ static void print_place(FILE *out, struct span span)
         return;
     }
     place = diag_place(span);
-    fprintf(out, "%s:%d:%d: ", name_of(span.source), place.line, place.column);
+    fprintf(out, "%s:%d:%d: ", source_called(span.source->name), place.line, place.column);
 }
 
 /* Steps over one character; a byte that is no UTF-8 counts as one. */

@@ -94,18 +94,28 @@ static int distance(const char *a, const char *b)
     return one[nb];
 }
 
+/* `ot` for `to`. */
+static bool is_turned(const char *a, const char *b)
+{
+    return strlen(a) == 2 && strlen(b) == 2 && tolower((unsigned char)a[0]) == tolower((unsigned char)b[1]) &&
+           tolower((unsigned char)a[1]) == tolower((unsigned char)b[0]);
+}
+
 struct nearest nearest_to(const char *word)
 {
     size_t length = strnlen(word, LONGEST);
 
-    /* A third of the letters may be wrong, at least one, and never all. */
-    return (struct nearest){word, NULL, (int)(length < 3 ? length / 2 + 1 : length / 3 + 2)};
+    /* A third of the letters may be wrong, and never all; of two, only their order. */
+    return (struct nearest){.word = word, .distance = (int)(length < 3 ? 2 : length / 3 + 1), .turned = length < 3};
 }
 
 void nearest_offer(struct nearest *nearest, const char *candidate)
 {
     size_t length = strnlen(nearest->word, LONGEST);
     int d = distance(nearest->word, candidate);
+
+    if (nearest->turned && d && !is_turned(nearest->word, candidate))
+        return;
 
     /* The beginning of a longer name is near. */
     if (length > 2 && strncasecmp(nearest->word, candidate, length) == 0 && d > 1)
@@ -115,6 +125,11 @@ void nearest_offer(struct nearest *nearest, const char *candidate)
         nearest->distance = d;
         nearest->best = candidate;
     }
+}
+
+const char *names_count(long long n, const char *one, const char *many)
+{
+    return n == 1 ? one : many;
 }
 
 const char *nearest_in(const char *word, const char *const *candidate, int n)

@@ -3,6 +3,7 @@
 #ifndef WEFT_NAMES_H
 #define WEFT_NAMES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "lang/arena.h"
@@ -18,12 +19,16 @@ struct names {
 /* The one pointer that stands for this text; compare with ==. */
 const char *names_intern(struct names *, const char *text, size_t length);
 
+/* Of a noun the form for so many: one row, 2 rows. */
+const char *names_count(long long n, const char *one, const char *many);
+
 /* A search for the candidate nearest to a word, upper and lower case alike:
  * offer each candidate, then read `best`, NULL where none is near. */
 struct nearest {
     const char *word;
     const char *best;
-    int         distance;
+    int         distance;       /* of the best; before: one more than is near */
+    bool        turned;         /* only the same letters in another order are near */
 };
 struct nearest nearest_to(const char *word);
 void nearest_offer(struct nearest *, const char *candidate);

@@ -312,9 +312,9 @@ bool row_fit(struct diag *diag, const struct row_text *row, struct fit *fit)
 static const char *fit_text(struct arena *arena, const struct fit *fit)
 {
     if (!fit->multiple)
-        return arena_printf(arena, "%lld stitches", fit->plus);
+        return stitches(arena, fit->plus);
     if (fit->multiple == 1)
-        return arena_printf(arena, "%lld stitches or more", fit->least);
+        return arena_printf(arena, "%s or more", stitches(arena, fit->least));
     return arena_printf(arena, "a multiple of %lld + %lld", fit->multiple, fit->plus % fit->multiple);
 }
 
@@ -367,8 +367,8 @@ void row_does_not_fit(struct diag *diag, const struct row_text *row, const struc
     if (!row_fit(diag, row, &fit))
         return;
     if (!fit.multiple && !others->multiple && before)
-        diag_error(diag, CODE_ROW_COUNT, row->span, "%s works %lld stitches, but %s left %lld",
-                   name_of(diag->arena, row, "this row"), fit.plus, name_of(diag->arena, before, "the row before"), others->plus);
+        diag_error(diag, CODE_ROW_COUNT, row->span, "%s works %s, but %s left %lld",
+                   name_of(diag->arena, row, "this row"), stitches(diag->arena, fit.plus), name_of(diag->arena, before, "the row before"), others->plus);
     else
         diag_error(diag, CODE_ROW_WIDTH, row->span, "%s fits %s, but the rows before it fit %s",
                    name_of(diag->arena, row, "this row"), fit_text(diag->arena, &fit), fit_text(diag->arena, others));

@@ -474,6 +474,10 @@ static size_t sizes_length(const char *text, int *n)
 
 int scanner_size_list(struct scanner *scanner, struct span span)
 {
+    if (scanner->previous == TOKEN_CAST_ON) {
+        diag_error(scanner->parse->diag, CODE_RANGE, span, "a cast-on is a positive count of stitches");
+        return TOKEN_KNIT_error;
+    }
     diag_error(scanner->parse->diag, CODE_MANY_SIZES, span, "the numbers of several sizes: which is to be knitted is open");
     diag_hint(scanner->parse->diag, "keep the number of one size");
     return TOKEN_KNIT_error;

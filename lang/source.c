@@ -26,6 +26,11 @@ const struct source *source_from_text(struct arena *arena, const char *name, con
     return source;
 }
 
+const char *source_called(const char *name)
+{
+    return strcmp(name, "-") == 0 ? "standard input" : name;
+}
+
 /* Reads to the end, or a little past the limit: too long is the script's error,
  * found where its other errors are. */
 static const struct source *read_stream(struct arena *arena, FILE *stream, const char *path, const char **why)
@@ -66,12 +71,12 @@ static bool is_folder(const char *path)
 static const char *nearest_entry(struct arena *arena, const char *before, const char *name, bool folder)
 {
     size_t stem = strcspn(name, ".");
-    struct nearest best = {name, NULL, 0};
+    struct nearest best = {.word = name};
     DIR *list = opendir(*before ? before : ".");
     const struct dirent *entry;
 
     for (int n = 0; list && n < ENTRIES && (entry = readdir(list)); n++) {
-        struct nearest one = {name, NULL, stem < 6 ? 2 : stem < 10 ? 3 : 4};
+        struct nearest one = {.word = name, .distance = stem < 6 ? 2 : stem < 10 ? 3 : 4};
 
         nearest_offer(&one, entry->d_name);
         if (!one.best || (one.best[0] == '.') != (name[0] == '.') ||
@@ -79,7 +84,7 @@ static const char *nearest_entry(struct arena *arena, const char *before, const 
             continue;
         if (best.best && (one.distance > best.distance || (one.distance == best.distance && strcmp(one.best, best.best) > 0)))
             continue;
-        best = (struct nearest){name, arena_copy(arena, one.best, strlen(one.best)), one.distance};
+        best = (struct nearest){.word = name, .best = arena_copy(arena, one.best, strlen(one.best)), .distance = one.distance};
     }
     if (list)
         closedir(list);

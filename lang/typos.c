@@ -37,7 +37,7 @@ bool typos_is_word(const char *word)
 static const char *meant_of(const char *word, const char *const *list, int n)
 {
     size_t length = strlen(word);
-    struct nearest nearest = {word, NULL, length > 5 ? 3 : 2};
+    struct nearest nearest = {.word = word, .distance = length > 5 ? 3 : 2};
 
     if (length < 2 || is_one_of(word, list, n))
         return NULL;
@@ -118,7 +118,7 @@ static const char *all_rows(const char *text, size_t *length)
 static const char *meant_all(const char *text, const char *word, const char *next)
 {
     static const char *const all[] = {"all", "every", "each"}, *const which[] = {"rs", "ws", "right", "wrong", "even", "odd", "other", "alternate"};
-    struct nearest nearest = {word, NULL, 2};
+    struct nearest nearest = {.word = word, .distance = 2};
     size_t length;
 
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
@@ -143,7 +143,7 @@ const char *typos_beginning(const char *text, size_t *length)
         return meant_all(text, word, next);
     *length = behind + strlen(next);
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
-        struct nearest nearest = {next, NULL, 2};
+        struct nearest nearest = {.word = next, .distance = 2};
 
         nearest_offer(&nearest, pairs[i].second);
         if (strcasecmp(word, pairs[i].first) == 0 && nearest.best && nearest.distance == 1 && strlen(next) <= 3)

@@ -160,10 +160,10 @@ exits 2 'an option of others' "$WEFT" import --grid "$work/flag.txt"
 # Long lines and many rows fit the script's own limits.
 awk 'BEGIN { for (i = 0; i < 1000000; i++) printf i * i % 7 < 3 ? "K" : "P" }' >"$work/wide.txt"
 check 'a million stitches wide' sh -c '"$1" import "$2/wide.txt" | "$1" check - >"$2/out"' - "$WEFT" "$work"
-out 'all of them' '1000000 stitches x 1 rows'
+out 'all of them' '1000000 stitches x 1 row,'
 awk 'BEGIN { for (i = 0; i < 110000; i++) print i * i % 7 < 3 ? "K" : "P" }' >"$work/high.txt"
 check 'a hundred thousand rows' sh -c '"$1" import "$2/high.txt" | "$1" check - >"$2/out"' - "$WEFT" "$work"
-out 'all of them' '1 stitches x 110000 rows'
+out 'all of them' '1 stitch x 110000 rows'
 
 # ---- what is no chart ----
 
@@ -192,5 +192,13 @@ for file in "$work"/library/*.knit; do
     cp "$work/wanted.txt" "$work/wanted"
     same "$(basename "$file" .knit)" "$work/wanted.txt"
 done
+
+# A kind, as `weft run -o` has it, is none of a script's.
+printf 'KP\nPK\n' >"$work/kind.txt"
+exits 2 'a kind before the name' sh -c 'cd "$1" && "$2" import kind.txt -o foo:x.knit' - "$work" "$WEFT"
+err 'is refused' "'foo:x.knit' names another"
+check 'and nothing is written' test ! -e "$work/foo:x.knit"
+exits 0 'with its folder' sh -c 'cd "$1" && "$2" import kind.txt -o ./foo:x.knit' - "$work" "$WEFT"
+check 'it is a name' test -s "$work/foo:x.knit"
 
 finish

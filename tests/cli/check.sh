@@ -8,8 +8,12 @@ printf 'Cast on 6 sts\nRow 1: k5\n' >"$work/short.knit"
 printf 'swatch nothing\n' >"$work/name.knit"
 
 exits 0 'a good script' "$WEFT" check "$work/good.knit"
-out 'says the size of its swatch' ': 6 stitches x 1 rows, 4 knit, 2 purl$'
+out 'says the size of its swatch' ': 6 stitches x 1 row, 4 knit, 2 purl$'
 empty 'and no message' "$work/err"
+
+printf 'Row 1: k1\nRow 2: p1\n' >"$work/one.knit"
+exits 0 'a narrow one' "$WEFT" check "$work/one.knit"
+out 'of one stitch' ': 1 stitch x 2 rows, 2 knit'
 
 exits 0 'quietly' "$WEFT" check -q "$work/good.knit"
 empty 'prints nothing' "$work/out"
@@ -58,6 +62,7 @@ exits 4 'a folder' "$WEFT" check "$work/."
 err 'is not a script' "cannot read '.*': Is a directory"
 
 exits 0 'standard input' sh -c '"$1" check - <"$2"' - "$WEFT" "$work/good.knit"
+out 'is named so' '^standard input: 6 stitches x 1 row,'
 exits 3 'a bad standard input' sh -c '"$1" check - <"$2"' - "$WEFT" "$work/short.knit"
 
 # Files that are something else: one sentence each.

@@ -13,6 +13,10 @@ exits 0 'table' "$WEFT" params "$work/x.knit"
 out 'has the range' '^half *= 6 *in 3\.\.12 *stitches'
 out 'or none' '^scale *= 0.1 *$'
 
+printf 'param a = 3 cm in 1 mm..4 cm "a length"\nswatch tile(K, 2, 2)\ngauge { width = a }\n' >"$work/length.knit"
+exits 0 'a length' "$WEFT" params "$work/length.knit"
+out 'has its unit' '^a  *= 30 mm *in 1 mm\.\.40 mm *a length$'
+
 exits 0 'JSON' "$WEFT" params "$work/x.knit" --json
 cp "$work/out" "$work/x.json"
 value() { tests/cli/json "$work/x.json" "$1"; }

@@ -162,6 +162,12 @@ static void test_nearest(void **state)
     assert_string_equal(nearest_in("basket", words, n), "basketweave");
     assert_null(nearest_in("gauge", words, n));
     assert_null(nearest_in("x", words, n));
+
+    /* A third of the letters may be wrong; of two, their order. */
+    assert_null(nearest_in("foo", (const char *const[]){"fmt", "from"}, 2));
+    assert_null(nearest_in("kz", (const char *const[]){"kx", "ky"}, 2));
+    assert_string_equal(nearest_in("xk", (const char *const[]){"ky", "kx"}, 2), "kx");
+    assert_string_equal(nearest_in("fom", (const char *const[]){"fmt", "from", "fro"}, 3), "from");
     assert_null(nearest_in("", words, n));
 }
 
