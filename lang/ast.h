@@ -65,6 +65,7 @@ enum side { SIDE_OPEN, SIDE_RS, SIDE_WS };
 enum until_kind {
     UNTIL_ONCE,         /* nothing is said */
     UNTIL_TIMES,        /* n times */
+    UNTIL_LAST_OR_ALL,  /* n times, alone or with stitches before it: "k1, p1 4 times" */
     UNTIL_MORE,         /* n more times */
     UNTIL_LAST,         /* to last n stitches */
     UNTIL_END,          /* to end, across */

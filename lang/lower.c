@@ -47,6 +47,9 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
     case UNTIL_TIMES:
         work->until = item->kind == ITEM_REP_FROM ? WORK_EITHER : WORK_TIMES;
         return true;
+    case UNTIL_LAST_OR_ALL:
+        work->until = n > 1 ? WORK_LAST_OR_ALL : WORK_TIMES;
+        return true;
     case UNTIL_MORE:
         work->n = n + 1;
         if (item->kind == ITEM_REP_FROM || item->kind == ITEM_STARS)

@@ -526,13 +526,13 @@ static bool is_numbered_heading(const char *text)
 /* `Ribbing` alone above a row. */
 static bool is_heading(const char *text)
 {
+    static const char *const rows[] = {"set", "setup", "foundation", "next", "all", "every"};
     size_t n = word_length(text);
 
     if (is_numbered_heading(text))
         return true;
-
-    return n > 3 && isupper((unsigned char)*text) && prose_line_ends(text + n) && !is_nearly_statement(text) &&
-           prose_statement_follows(next_line(text));
+    return n > 2 && isupper((unsigned char)*text) && prose_line_ends(text + n) && !is_nearly_statement(text) && !is_rows_word(text) &&
+           (prose_statement_follows(next_line(text)) || is_one_of(next_line(text), rows, sizeof rows / sizeof *rows));
 }
 
 /* "22 sts", "4 rows": more than a title says. */

@@ -3,10 +3,11 @@
  * in working order out. */
 #include "lang/row_fit.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "lang/limits.h"
+#include "lang/names.h"
+#include "lang/row_misfit.h"
 
 static const long long many = 1LL << 40; /* lengths stop growing here */
 
@@ -46,11 +47,6 @@ bool work_measure(struct diag *diag, struct work *work, long long *length)
             *length = least(many, *length + fixed_length(work));
     }
     return true;
-}
-
-static const char *stitches(struct arena *arena, long long n)
-{
-    return arena_printf(arena, n == 1 ? "%lld stitch" : "%lld stitches", n);
 }
 
 /* ---- which widths fit ---- */
@@ -224,19 +220,106 @@ static bool open_end(struct diag *diag, const struct work *work, long long *left
     return false;
 }
 
-static void two_readings(struct diag *diag, const struct row_text *row, const struct work *work)
-{
-    long long fixed = 0;
+/* ---- what can be read in two ways ---- */
 
-    for (const struct work *w = row->work; w; w = w->next)
-        fixed += w == work ? 0 : fixed_length(w);
-    diag_error(diag, CODE_ROW_REPEAT, work->span, "`rep from * %lld times` can be read in two ways", work->n);
-    diag_note(diag, (struct span){0}, "%lld times in all makes %lld stitches, %lld times more makes %lld",
-              work->n, fixed + times(work->length, work->n), work->n,
-              fixed + times(work->length, work->n + 1));
-    diag_hint(diag, "write `rep from * %lld more times`, or `[..] %lld times`, or say how many are cast on",
-              work->n, work->n);
+static bool has_readings(const struct work *work)
+{
+    return work->until == WORK_EITHER || work->until == WORK_LAST_OR_ALL;
 }
+
+int row_readings(const struct row_text *row, const struct work *work)
+{
+    return work->until == WORK_EITHER ? 2 : row->work == work ? 1 : row->work->nruns + 1;
+}
+
+long long row_reading(const struct row_text *row, const struct work *work, int reading)
+{
+    const struct work *first = row->work;
+    long long length = times(work->length, work->n + (work->until == WORK_EITHER ? reading : 0));
+
+    for (const struct work *w = first; w; w = w->next)
+        if (w != work && fixed_length(w) >= 0)
+            length += fixed_length(w);
+    for (int i = 0; work->until == WORK_LAST_OR_ALL && i < reading; i++)
+        length += times(first->run[first->nruns - 1 - i].length, work->n - 1);
+    return length;
+}
+
+/* `k2, k1, p1 4 times` with so many of the runs before in the group: the rest of them, and the group. */
+static struct work *work_grouped(struct arena *arena, const struct work *runs, const struct work *last, int nruns)
+{
+    struct work *before = arena_new(arena, struct work), *group = arena_new(arena, struct work), *inner = arena_new(arena, struct work),
+                *end = arena_new(arena, struct work);
+
+    *before = *inner = *runs;
+    *end = *last;
+    *group = *last;
+    before->nruns -= nruns;
+    inner->run += before->nruns;
+    inner->nruns = nruns;
+    inner->length = 0;
+    for (int i = 0; i < nruns; i++)
+        inner->length += inner->run[i].length;
+    before->length -= inner->length;
+    end->n = 1;
+    end->until = group->until = WORK_TIMES;
+    end->next = NULL;
+    inner->next = end;
+    group->run = NULL;
+    group->nruns = 0;
+    group->child = nruns ? inner : end;
+    group->length = inner->length + end->length;
+    before->next = group;
+    return before->nruns ? before : group;
+}
+
+/* The row's work, with this reading of a part of it. */
+static struct work *work_read(struct arena *arena, struct work *from, const struct work *work, int reading)
+{
+    struct work *copy = arena_new(arena, struct work);
+
+    if (work->until == WORK_LAST_OR_ALL)
+        return work_grouped(arena, from, work, reading);
+    *copy = *from;
+    if (from == work) {
+        copy->until = WORK_TIMES;
+        copy->n += reading;
+    } else {
+        copy->next = work_read(arena, from->next, work, reading);
+    }
+    return copy;
+}
+
+/* Whether another part of the row reaches as far as it likes. */
+static bool row_is_open(const struct row_text *row, const struct work *but)
+{
+    for (const struct work *work = row->work; work; work = work->next)
+        if (work != but && fixed_length(work) < 0)
+            return true;
+    return false;
+}
+
+/* Of the readings of the part that can be read in two ways takes the one that makes the width; false, with a message, without one. */
+static bool read_at_width(struct diag *diag, struct row_text *row, long long width, const char *left)
+{
+    for (const struct work *work = row->work; work; work = work->next) {
+        int reading = 0;
+
+        if (!has_readings(work))
+            continue;
+        while (reading < row_readings(row, work) && row_reading(row, work, reading) != width)
+            reading++;
+        if (reading == row_readings(row, work)) {
+            misfit_readings(diag, row, work, row_is_open(row, work) ? NULL : left);
+            return false;
+        }
+        row->work = work_read(diag->arena, row->work, work, reading);
+        return true;
+    }
+    return true;
+}
+
+/* ---- the widths of one row ---- */
 
 /* Moves over work that reaches to `left` stitches before the end. */
 static bool fit_open(struct diag *diag, const struct work *work, struct progress *progress, struct fit *fit)
@@ -288,8 +371,8 @@ bool row_fit(struct diag *diag, const struct row_text *row, struct fit *fit)
     for (const struct work *work = row->work; work; work = work->next) {
         long long length = fixed_length(work);
 
-        if (work->until == WORK_EITHER) {
-            two_readings(diag, row, work);
+        if (has_readings(work)) {
+            misfit_readings(diag, row, work, NULL);
             return false;
         }
         if (length < 0) {
@@ -298,102 +381,12 @@ bool row_fit(struct diag *diag, const struct row_text *row, struct fit *fit)
         } else if (!progress.from_end) {
             progress.at = least(many, progress.at + length);
         } else if ((progress.left -= length) < 0) {
-            diag_error(diag, CODE_ROW_COUNT, work->span, "this works %s more than the repeat leaves",
-                       stitches(diag->arena, -progress.left));
+            diag_error(diag, CODE_ROW_COUNT, work->span, "this works %lld %s more than the repeat leaves", -progress.left,
+                       names_count(-progress.left, "stitch", "stitches"));
             return false;
         }
     }
     return fit_end(diag, row, &progress, fit);
-}
-
-/* ---- messages about widths ---- */
-
-/* "a multiple of 4 + 1", "24 stitches" */
-static const char *fit_text(struct arena *arena, const struct fit *fit)
-{
-    if (!fit->multiple)
-        return stitches(arena, fit->plus);
-    if (fit->multiple == 1)
-        return arena_printf(arena, "%s or more", stitches(arena, fit->least));
-    return arena_printf(arena, "a multiple of %lld + %lld", fit->multiple, fit->plus % fit->multiple);
-}
-
-/* "row 3"; rows before row 1 have no number. */
-static const char *name_of(struct arena *arena, const struct row_text *row, const char *unnumbered)
-{
-    return row->label ? arena_printf(arena, "row %d", row->label) : unnumbered;
-}
-
-static const char *who_left(struct arena *arena, enum width_from from, const struct row_text *before,
-                            long long width)
-{
-    if (before)
-        return arena_printf(arena, "%s left %lld", name_of(arena, before, "the row before"), width);
-    switch (from) {
-    case WIDTH_CAST_ON:
-        return arena_printf(arena, "%lld are cast on", width);
-    case WIDTH_MULTIPLE:
-        return arena_printf(arena, "the motif's multiple makes %lld", width);
-    case WIDTH_ASKED:
-        return arena_printf(arena, "a width of %lld was asked for", width);
-    default:
-        return arena_printf(arena, "there are %lld", width);
-    }
-}
-
-static void note_fit(struct diag *diag, const struct fit *fit, long long width)
-{
-    long long below, above;
-
-    if (fit->multiple > 1)
-        diag_note(diag, (struct span){0}, "this row fits %s; %lld is %lld x %lld + %lld",
-                  fit_text(diag->arena, fit), width, fit->multiple, width / fit->multiple,
-                  width % fit->multiple);
-    if (fit->multiple < 2 || width < fit->least)
-        return;
-    below = width - ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple;
-    above = below + fit->multiple;
-    if (below >= fit->least && below > 0)
-        diag_hint(diag, "the nearest widths that fit are %lld and %lld", below, above);
-    else
-        diag_hint(diag, "the nearest width that fits is %lld", above);
-}
-
-void row_does_not_fit(struct diag *diag, const struct row_text *row, const struct row_text *before,
-                      const struct fit *others)
-{
-    struct fit fit;
-
-    if (!row_fit(diag, row, &fit))
-        return;
-    if (!fit.multiple && !others->multiple && before)
-        diag_error(diag, CODE_ROW_COUNT, row->span, "%s works %s, but %s left %lld",
-                   name_of(diag->arena, row, "this row"), stitches(diag->arena, fit.plus), name_of(diag->arena, before, "the row before"), others->plus);
-    else
-        diag_error(diag, CODE_ROW_WIDTH, row->span, "%s fits %s, but the rows before it fit %s",
-                   name_of(diag->arena, row, "this row"), fit_text(diag->arena, &fit), fit_text(diag->arena, others));
-    if (before)
-        diag_note(diag, before->span, "%s", name_of(diag->arena, before, "the row before"));
-}
-
-/* Reports that a row does not come out on the width there is. */
-static void misfit(struct diag *diag, const struct row_text *row, const struct fit *fit, long long width,
-                   const char *left)
-{
-    if (fit->multiple == 0) {
-        diag_error(diag, CODE_ROW_COUNT, row->span, "%s works %s, but %s", name_of(diag->arena, row, "this row"),
-                   stitches(diag->arena, fit->plus), left);
-        if (fit->plus > 0 && width > fit->plus && width % fit->plus == 0)
-            diag_hint(diag, "to fill the row, repeat it: `*..; rep from * to end`");
-        return;
-    }
-    if (width < fit->least)
-        diag_error(diag, CODE_ROW_COUNT, row->span, "%s needs %s at least, but %s", name_of(diag->arena, row, "this row"),
-                   stitches(diag->arena, fit->least), left);
-    else
-        diag_error(diag, CODE_ROW_FIT, row->span, "%s does not come out even: its repeat fits %s, but %s",
-                   name_of(diag->arena, row, "this row"), fit_text(diag->arena, fit), left);
-    note_fit(diag, fit, width);
 }
 
 /* ---- working it ---- */
@@ -442,19 +435,6 @@ static stitch_id *work_once(const struct work *work, stitch_id *to, const stitch
     return to;
 }
 
-/* Of the two readings the one that fits the width; -1: neither. */
-static long long reading_that_fits(const struct row_text *row, const struct work *work, long long width)
-{
-    long long fixed = 0;
-
-    for (const struct work *w = row->work; w; w = w->next)
-        if (w != work && fixed_length(w) >= 0)
-            fixed += fixed_length(w);
-    if (fixed + times(work->length, work->n) == width)
-        return work->n;
-    return fixed + times(work->length, work->n + 1) == width ? work->n + 1 : -1;
-}
-
 /* The work again and again, cut off where the row ends: behind a whole pass or
  * behind its first stitches. */
 static bool work_cut(struct diag *diag, const struct row_text *row, long long width, const char *left, stitch_id *to)
@@ -464,7 +444,7 @@ static bool work_cut(struct diag *diag, const struct row_text *row, long long wi
     if (rest && rest != row->work->length) {
         diag_error(diag, CODE_ROW_FIT, row->span,
                    "%s does not come out even: this rib is worked over a multiple of %lld, or %lld more, but %s",
-                   name_of(diag->arena, row, "this row"), period, row->work->length, left);
+                   misfit_name(diag->arena, row, "this row"), period, row->work->length, left);
         return false;
     }
     for (long long i = 0; i < width; i++)
@@ -472,46 +452,35 @@ static bool work_cut(struct diag *diag, const struct row_text *row, long long wi
     return true;
 }
 
-bool row_work(struct diag *diag, const struct row_text *row, int width, enum width_from from,
+bool row_work(struct diag *diag, const struct row_text *text, int width, enum width_from from,
               const struct row_text *before, stitch_id *worked)
 {
-    const char *left = who_left(diag->arena, from, before, width);
+    const char *left = misfit_left(diag->arena, from, before, width);
     stitch_id *to = worked, *end = worked + width;
-    bool either = false;
     struct work *short_one = NULL, *filling = NULL;
+    struct row_text here = *text, *row = &here;
     long long stop, often = 1;
     struct fit fit;
 
     if (row->cut)
         return work_cut(diag, row, width, left, worked);
-    for (const struct work *work = row->work; work; work = work->next)
-        if (work->until == WORK_EITHER) {
-            either = true;
-            if (reading_that_fits(row, work, width) < 0) {
-                two_readings(diag, row, work);
-                diag_note(diag, (struct span){0}, "neither fits: %s", left);
-                return false;
-            }
-        }
-    if (!either) {
-        if (!row_fit(diag, row, &fit))
+    if (!read_at_width(diag, row, width, left) || !row_fit(diag, row, &fit))
+        return false;
+    if (!fit_has(&fit, width)) {
+        short_one = stops_short(row, width, &stop);
+        filling = fills_row(row, &fit, width, &often);
+        if (!short_one && !filling) {
+            misfit_width(diag, row, &fit, width, left);
             return false;
-        if (!fit_has(&fit, width)) {
-            short_one = stops_short(row, width, &stop);
-            filling = fills_row(row, &fit, width, &often);
-            if (!short_one && !filling) {
-                misfit(diag, row, &fit, width, left);
-                return false;
-            }
-            if (short_one)
-                warn_stop(diag, short_one, stop);
-            else
-                warn_fills(diag, filling);
         }
+        if (short_one)
+            warn_stop(diag, short_one, stop);
+        else
+            warn_fills(diag, filling);
     }
     if (row->check >= 0 && row->check != width) {
-        diag_error(diag, CODE_ROW_ASSERT, row->check_span, "%s ends with %s, not %lld", name_of(diag->arena, row, "this row"),
-                   stitches(diag->arena, width), row->check);
+        diag_error(diag, CODE_ROW_ASSERT, row->check_span, "%s ends with %d %s, not %lld", misfit_name(diag->arena, row, "this row"),
+                   width, names_count(width, "stitch", "stitches"), row->check);
         return false;
     }
 
@@ -523,8 +492,6 @@ bool row_work(struct diag *diag, const struct row_text *row, int width, enum wid
             n = (end - to) / work->length + 1;
         else if (work == filling)
             n = often;
-        else if (work->until == WORK_EITHER)
-            n = reading_that_fits(row, work, width);
         else if (work->until == WORK_LAST)
             n = (end - to - work->n) / work->length;
         else if (work->until == WORK_FIT)

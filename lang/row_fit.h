@@ -13,6 +13,11 @@ bool work_measure(struct diag *, struct work *, long long *length);
 /* False after an error: the text contradicts itself. */
 bool row_fit(struct diag *, const struct row_text *, struct fit *);
 
+/* `rep from * 3 times`, `k1, p1 3 times`: in how many ways a part of a row's work can be read, and how many
+ * stitches the row has in each, from the least on. */
+int row_readings(const struct row_text *, const struct work *);
+long long row_reading(const struct row_text *, const struct work *, int reading);
+
 /* Where what follows a repeat is how it goes on from one of its runs: the repeat is then worked so many
  * stitches and stops. Looks from the run *from on, and moves it behind; -1: nowhere. */
 long long work_stop(const struct work *repeat, int *from);
@@ -20,9 +25,6 @@ long long work_stop(const struct work *repeat, int *from);
 /* Widths that fit both; false where there are none. */
 bool fit_join(const struct fit *, const struct fit *, struct fit *both);
 bool fit_has(const struct fit *, long long width);
-
-/* Reports that a row's widths have nothing in common with those of the rows before. */
-void row_does_not_fit(struct diag *, const struct row_text *, const struct row_text *before, const struct fit *others);
 
 /* Writes `width` stitches in working order. False after an error. */
 bool row_work(struct diag *, const struct row_text *, int width, enum width_from, const struct row_text *before,

@@ -61,7 +61,7 @@ static void put_times(struct writer *w, const struct expr *n, const char *more)
 
 static void put_until(struct writer *w, const struct until *until)
 {
-    if (until->kind == UNTIL_TIMES || until->kind == UNTIL_MORE)
+    if (until->kind == UNTIL_TIMES || until->kind == UNTIL_LAST_OR_ALL || until->kind == UNTIL_MORE)
         put_times(w, until->n, until->kind == UNTIL_MORE ? " more" : "");
     else if (until->kind == UNTIL_LAST && is_number(w, until->n, 1))
         PUT(" to last st");

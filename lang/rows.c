@@ -9,6 +9,7 @@
 
 #include "lang/limits.h"
 #include "lang/row_fit.h"
+#include "lang/row_misfit.h"
 
 /* The text that stands for every row of a kind. */
 struct filler {
@@ -500,7 +501,7 @@ bool rows_fit(const struct row_list *list, struct fit *fit)
         if (!row_fit(list->diag, text, &row))
             return false;
         if (!fit_join(fit, &row, &both)) {
-            row_does_not_fit(list->diag, text, before, fit);
+            misfit_rows(list->diag, text, before, &row, fit);
             return false;
         }
         *fit = both;
@@ -545,7 +546,10 @@ static bool has_below(const stitch_id *worked, int width)
 
 static bool nothing_below(struct row_list *list, const struct row_text *text)
 {
+    const char *row = list->round ? "rnd" : side_of(list, 0) == SIDE_WS ? "row (RS)" : "row (WS)";
+
     diag_error(list->diag, CODE_ROW_REFERENCE, text->span, "there is no row below the first");
+    diag_hint(list->diag, "put the row it is worked on before it, `Set-up %s: *k2, p2; rep from * to end`, or write its own stitches", row);
     return false;
 }
 

@@ -15,6 +15,7 @@
 enum work_until {
     WORK_TIMES,         /* n times in all */
     WORK_EITHER,        /* n times, or n + 1: the text can be read both ways */
+    WORK_LAST_OR_ALL,   /* n times, and with it the last runs before it, or none: the text can be read so */
     WORK_LAST,          /* until n stitches are left */
     WORK_FIT            /* as often as leaves room for what follows */
 };

@@ -263,7 +263,7 @@ static struct item *repeat_to_end(struct parse *parse, struct item *first)
             return first;
         if (kind == UNTIL_ONCE)
             continue;
-        if (kind == UNTIL_TIMES)
+        if (kind == UNTIL_TIMES || kind == UNTIL_LAST_OR_ALL)
             return first;
         warn_repeat(parse, item_span(parse->source, first), (struct span){parse->source, item->start, until.span.start},
                     kind == UNTIL_LAST ? "to last .. sts" : "to end");
@@ -350,14 +350,20 @@ struct expr *syntax_two_rows(struct parse *parse, struct span span)
     return expr_number(parse, span, 2, 0);
 }
 
-/* `k1, p1 3 times`: p1 alone, or both? */
-static void check_times(struct parse *parse, const struct item *first)
+/* `k1, p1 3 times`: p1 alone, or both?  Where a row begins so its width may tell. */
+static void check_times(struct parse *parse, struct item *first, bool row)
 {
-    for (const struct item *item = first; item; item = item->next) {
+    bool plain = row;
+
+    for (struct item *item = first; item; plain &= item_is_plain(item), item = item->next) {
         if (item->kind > ITEM_STITCH)
-            check_times(parse, item->more->child);
+            check_times(parse, item->more->child, false);
         if (item == first || item->kind != ITEM_STITCH || item->more->until.kind != UNTIL_TIMES || !is_counted(parse->source, item))
             continue;
+        if (plain) {
+            item->more->until.kind = UNTIL_LAST_OR_ALL;
+            continue;
+        }
         diag_error(parse->diag, CODE_ROW_REPEAT, item_span(parse->source, item),
                    "what is worked so many times can be read in two ways: '%s' alone, or more of the row", item->more->name);
         diag_hint(parse->diag, "write `[..] 3 times` around what is repeated");
@@ -373,7 +379,7 @@ static bool is_whole_below(const struct item *item)
 
 struct row syntax_row(struct parse *parse, struct row head, struct span head_span, struct row body, struct span body_span)
 {
-    check_times(parse, body.item);
+    check_times(parse, body.item, true);
     body.item = repeat_to_end(parse, body.item);
     if (is_whole_below(body.item)) {
         body.body = BODY_AS_BELOW;
