@@ -158,6 +158,7 @@ struct again {
     struct expr        *last;           /* repeat the last n rows */
     enum again_kind     kind;
     bool                pattern;        /* said in words: "for pattern" */
+    bool                assumed;        /* "work rows 1-4 twice": in all, where they were worked just before */
     struct expr        *n;
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };

@@ -317,10 +317,16 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     if (!find_rows(eval, where, stmt, again, body, &texts))
         return false;
     rows_both_sides(body->rows, texts);
+    if (again->kind == AGAIN_PATTERN && !rows_worked(body->rows, texts))
+        n = 1;
     if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
-        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span,
-                     "how often these rows are repeated is not said: not once more");
+        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how often these rows are %s", n ? "worked is not said: once"
+                                                                                                  : "repeated is not said: not once more");
         diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
+    }
+    if (again->assumed && rows_just_worked(body->rows, texts)) {
+        diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows above are the first time is not said: they are");
+        diag_hint(eval->diag, "`repeat rows 1-4 3 more times` says it");
     }
     if (again->kind == AGAIN_TOTAL && n && rows_just_worked(body->rows, texts))
         n--;
@@ -335,18 +341,28 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     return !again->then || run_again(eval, where, stmt, again->then, body);
 }
 
-/* Whether rows are worked behind a statement. */
-static bool rows_follow(const struct stmt *stmt)
+/* What a cast-on behind rows makes of them: they are the piece, where nothing follows it; or a pattern that
+ * is worked from there on, `Cast on 24 sts. Knit 2 rows. Work rows 1-4 3 times`; or it is misplaced. */
+enum rows_before { ROWS_PIECE, ROWS_PATTERN, ROWS_MISPLACED };
+
+static enum rows_before rows_before(const struct stmt *cast_on, const struct row_list *rows)
 {
-    for (stmt = stmt->next; stmt; stmt = stmt->next)
-        if (stmt->kind == STMT_ROW || stmt->kind == STMT_AGAIN)
-            return true;
-    return false;
+    bool follow = false, used = false;
+
+    for (const struct stmt *stmt = cast_on->next; rows_any(rows) && stmt; stmt = stmt->next) {
+        if (stmt->kind == STMT_ROW && stmt->row.numbers)
+            return ROWS_MISPLACED;
+        follow |= stmt->kind == STMT_ROW;
+        used |= stmt->kind == STMT_AGAIN && stmt->again.which != AGAIN_LAST;
+    }
+    return used ? ROWS_PATTERN : follow ? ROWS_MISPLACED : ROWS_PIECE;
 }
 
 static bool run_cast_on(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
-    if (!body->top || body->cast_on || (rows_any(body->rows) && rows_follow(stmt))) {
+    enum rows_before before = rows_before(stmt, body->rows);
+
+    if (!body->top || body->cast_on || before == ROWS_MISPLACED) {
         diag_error(eval->diag, CODE_CAST_ON, stmt->span,
                    !body->top      ? "a motif is not cast on; its width is its multiple's"
                    : body->cast_on ? "the stitches are cast on already"
@@ -357,6 +373,8 @@ static bool run_cast_on(struct eval *eval, struct where where, const struct stmt
             diag_hint(eval->diag, "write the cast-on above all rows, and below it the rows in the order they are worked");
         return false;
     }
+    if (before == ROWS_PATTERN)
+        rows_define(body->rows);
     body->cast_on_span = stmt->span;
     return eval_whole(eval, where, stmt->cast_on.n, 1, LIMIT_STITCHES, "the number of stitches",
                       &body->cast_on);

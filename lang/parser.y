@@ -529,14 +529,14 @@ repeat_statement:
                                         { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
-| REPEAT_THEM again                     { $$ = stmt_again(parse, @$, (struct again){AGAIN_THEM, NULL, NULL, $again.kind, $again.pattern, $again.n, $again.then}); }
-| WORK_THEM again                       { $$ = stmt_again(parse, @$, syntax_work_again(parse, @$, NULL, $again)); $$->again.which = AGAIN_THEM; }
+| REPEAT_THEM again                     { $$ = stmt_again(parse, @$, $again); $$->again.which = AGAIN_THEM; }
+| WORK_THEM again                       { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_THEM; }
 | GO_ON_ROWS count more ROW_WORD pattern
                                         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK count more ROW_WORD MORE         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK FOR_ROWS count more ROW_WORD     { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
-| WORK_ROWS parts again                 { $$ = stmt_again(parse, @$, syntax_work_again(parse, @$, $parts.first, $again)); }
+| WORK_ROWS parts again                 { $$ = stmt_again(parse, @$, syntax_work_again($parts.first, $again)); }
 ;
 pattern: %empty | FOR_PATTERN;
 again:

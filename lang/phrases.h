@@ -13,7 +13,7 @@
  * them; `?` behind: or nothing; `#`: a number, `~` the sign #; `=` before: stays as it is, the others make
  * room for the plain wording. `@` begins a phrase that stands behind a stitch: knit, p; `<` one
  * that stands on one line; `^` one that begins a line, `>` one before a row's stitches. A `#` of
- * the plain wording is the number of the phrase. */
+ * the plain wording is the number of the phrase; it may be a line end. */
 struct phrase {
     const char *words, *plain;
 };

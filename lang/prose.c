@@ -206,7 +206,7 @@ size_t prose_rows_within(const char *text)
 
         if (isalnum((unsigned char)text[i - 1]) || !is_one_of(text + i, work, sizeof work / sizeof *work))
             continue;
-        if ((rows && is_rows_word(rows)) || (is_one_of(behind, every, 3) && is_rows_word(skip_blanks(behind + word_length(behind)))) ||
+        if ((rows && is_rows_word(rows)) || (is_word(text + i, "work") && prose_row_follows(behind)) || (is_one_of(behind, every, 3) && is_rows_word(skip_blanks(behind + word_length(behind)))) ||
             (is_word(text + i, "work") && is_word(behind, "in") && prose_fabric_follows(skip_blanks(behind + 2))))
             return i;
     }

@@ -256,6 +256,13 @@ static void find_start(struct row_list *list)
     }
 }
 
+/* The same by the row worked next. */
+static void begin_on_side_of(struct row_list *list, const struct row_text *text)
+{
+    if (!list->start && text->side)
+        list->start = list->norder % 2 == 0 || list->round ? text->side : other_side(text->side);
+}
+
 static struct row_text *filler_for(const struct row_list *list, int label, enum side side)
 {
     for (const struct filler *f = list->filler; f; f = f->next)
@@ -365,8 +372,7 @@ void rows_add_next(struct row_list *list, struct row_text *text)
     if (!rows_mix(list, text))
         return;
     flush(list);
-    if (!list->start && text->side)
-        list->start = list->norder % 2 == 0 || list->round ? text->side : other_side(text->side);
+    begin_on_side_of(list, text);
     list->loose = true;
     if (!list->failed) {
         check_side(list, text, list->norder, 0);
@@ -422,6 +428,23 @@ struct row_texts rows_pattern(struct row_list *list, bool going_on)
     return texts;
 }
 
+void rows_define(struct row_list *list)
+{
+    flush(list);
+    list->norder = 0;
+    list->start = SIDE_OPEN;
+    list->worked_label = 0;
+    list->loose = true;
+}
+
+bool rows_worked(const struct row_list *list, struct row_texts texts)
+{
+    for (int i = 0; i < list->norder && texts.n; i++)
+        if (list->order[i] == texts.text[0])
+            return true;
+    return list->failed || !texts.n;
+}
+
 bool rows_just_worked(const struct row_list *list, struct row_texts texts)
 {
     int first = list->norder - texts.n;
@@ -466,6 +489,7 @@ void rows_again(struct row_list *list, struct span span, struct row_texts texts,
 
     /* The order grows, and `texts` may lie in it. */
     memcpy(text, texts.text, (size_t)n * sizeof *text);
+    begin_on_side_of(list, text[0]);
     for (long long pass = 0; times ? pass < times : list->norder < total; pass++)
         for (int i = 0; i < n && (times || list->norder < total); i++) {
             check_side(list, text[i], list->norder, n);

@@ -105,6 +105,12 @@ bool rows_labelled(struct row_list *, struct span, const int *label, int n, stru
 struct row_texts rows_last(struct row_list *, int n);
 struct row_texts rows_pattern(struct row_list *, bool going_on);
 
+/* The rows given so far are a pattern only: not worked yet. */
+void rows_define(struct row_list *);
+
+/* Whether the first of these was worked. */
+bool rows_worked(const struct row_list *, struct row_texts);
+
 /* Whether these are the rows worked last, and not twice. */
 bool rows_just_worked(const struct row_list *, struct row_texts);
 

@@ -120,6 +120,41 @@ static size_t remark_length(const char *text, size_t at)
     return isdigit((unsigned char)*here) || word_in(here, times, sizeof times / sizeof *times) >= 0 ? 0 : close + 1;
 }
 
+/* How long `(40 sts)`, `[40 sts rem]` is; or 0. */
+static size_t asserted_length(const char *text)
+{
+    static const char *const words[] = {"st", "sts", "stitch", "stitches", "rem", "remain", "left"};
+    size_t at = 1 + strspn(text + 1, " "), digits = strspn(text + at, "0123456789"), n;
+
+    at += digits;
+    for (at += strspn(text + at, " "); (n = word_length(text + at)) > 0; at += n, at += strspn(text + at, " "))
+        if (!digits || word_in(text + at, words, sizeof words / sizeof *words) < 0)
+            return 0;
+    return digits && isalpha((unsigned char)text[at - 1]) && text[at] == (*text == '(' ? ')' : ']') ? at + 1 : 0;
+}
+
+/* `(40 sts) - the rib begins`: the count, and behind it words that ask for no work; `plain` is the count. */
+static size_t caption_length(const char *text, char plain[static SIGNS_PLAIN])
+{
+    static const char *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "work", "cont", "continue", "cast", "bind", "co", "bo", "turn",
+                                       "slip", "inc", "increase", "increasing", "dec", "decrease", "decreasing", "join", "change", "next", "then",
+                                       "place", "remove", "twice", "once", "times", "more", "as", "with", "using"};
+    size_t count = asserted_length(text), at = count, n;
+    bool words = false;
+
+    if (!count || count >= SIGNS_PLAIN)
+        return 0;
+    for (; text[at] && !strchr("\r\n", text[at]); at += n ? n : 1) {
+        n = word_length(text + at);
+        if (n ? word_in(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
+            return 0;
+        words |= n > 0;
+    }
+    memcpy(plain, text, count);
+    plain[words ? count : 0] = '\0';
+    return words ? at : 0;
+}
+
 /* ---- marks ---- */
 
 /* `:-` and `:—`, a printer's colon: its bytes. */
@@ -275,6 +310,8 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     int number;
 
     *plain = '\0';
+    if (strchr("([", *here) && *here && caption_length(here, plain))
+        return caption_length(here, plain);
     if (*here == '(')
         return begins ? remark_length(text, at) : 0;
     if (strncmp(here, "\xE2\x80\xA6", 3) == 0)

@@ -9,7 +9,7 @@ enum { SIGNS_PLAIN = 24 };       /* bytes of the longest plain text, with its en
 
 /* How many bytes from `at` on go for `plain` and blanks: `~` for a dash, an ellipsis, a remark in
  * brackets within a row, a number in letters above twelve, the bars of a table, `[18]` behind a
- * row, a row behind another. 0: none of these. */
+ * row, a row behind another, a caption behind `(24 sts)`. 0: none of these. */
 size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
 #endif

@@ -428,14 +428,12 @@ struct again *syntax_then(struct parse *parse, struct span span, struct row_numb
 }
 
 /* `Work rows 1-4 three times` right behind them is three times in all. */
-struct again syntax_work_again(struct parse *parse, struct span span, struct row_numbers *numbers, struct again again)
+struct again syntax_work_again(struct row_numbers *numbers, struct again again)
 {
     again.numbers = numbers;
-    if (again.kind != AGAIN_TIMES)
-        return again;
-    again.kind = AGAIN_TOTAL;
-    diag_warning(parse->diag, CODE_ASSUMED_TOTAL, span, "whether the rows above are the first time is not said: they are");
-    diag_hint(parse->diag, "`repeat rows 1-4 3 more times` says it");
+    again.assumed = again.kind == AGAIN_TIMES;
+    if (again.assumed)
+        again.kind = AGAIN_TOTAL;
     return again;
 }
 
