@@ -1,7 +1,7 @@
 # Units of the solver, with cmocka.
 if HAVE_CMOCKA
 check_LIBRARIES = libscenes.a
-libscenes_a_SOURCES = tests/solver/scenes.c tests/solver/scenes.h
+libscenes_a_SOURCES = tests/solver/scenes.c tests/solver/scenes.h tests/solver/near.h
 
 check_PROGRAMS += tests/solver/test_patch
 tests_solver_test_patch_SOURCES = tests/solver/test_patch.c
