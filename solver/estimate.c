@@ -17,8 +17,8 @@ static double predicted_decrease(struct two_level *t, const double *x_fine, doub
                                  double *e)
 {
     double decrease = 0;
-    for (enum hessian_kind kind = HESSIAN_EXACT; kind <= HESSIAN_SEMIDEFINITE; kind++) {
-        if (!two_level_update(t, x_fine, growth, kind))
+    for (int blend = 0; blend <= 1; blend++) {
+        if (!two_level_update(t, x_fine, growth, blend))
             continue;
         struct two_level_result result = two_level_solve(t, gradient, ENOUGH, MOST_STEPS, e, NULL);
         decrease = result.decrease;

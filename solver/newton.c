@@ -15,6 +15,7 @@ static const double KEPT = 0.1;             /* of the gradient must be all that 
 static const double ROUNDING = 1e-13;       /* of the energy: smaller decreases are not seen */
 static const double FIRST_SHIFT = 1e-5, LAST_SHIFT = 1e6;
 static const double FAR = 0.1, FAR_SHIFT = 1e-3;    /* the shift to begin with: of the gradient, but no more than that */
+static const double FIRST_BLEND = 1.0 / 64, LEAST_BLEND = 1e-3; /* of the semidefinite Hessian, in a conjugate step's */
 static const double GAIN = 1e-4;            /* of the decrease: a conjugate step that adds less is the last */
 static const double GAIN_OF_TEST = 1e-10;   /* the same in the inertia test */
 enum { MOST_CONJUGATE = 300 };
@@ -76,31 +77,39 @@ static bool factored_step(struct problem *p, const double *x, double *shift, boo
 }
 
 /* The Hessian at x and the coarse factor that goes with it; false: not to be had. */
-static bool update_levels(struct problem *p, const double *x, enum hessian_kind kind)
+static bool update_levels(struct problem *p, const double *x, double blend, bool shifted)
 {
     double start = stopwatch();
-    bool done = two_level_update(p->two_level, x, p->growth, kind);
+    bool done = two_level_update(p->two_level, x, p->growth, blend);
     double assembled = stopwatch();
-    done = done && two_level_renew(p->two_level);
+    done = done && two_level_renew(p->two_level, shifted);
     p->effort->assemble_s += assembled - start;
     p->effort->factor_s += stopwatch() - assembled;
     p->effort->factorisations++;
     return done;
 }
 
-/* Conjugate gradients on H step = -g; the semidefinite Hessian where the exact one shows a negative direction, as what
- * leads up to that is a short step (Steihaug 1983 takes it: three times as many on the Miura). */
-static bool conjugate_step(struct problem *p, const double *x)
+static struct two_level_result solve_levels(struct problem *p)
 {
-    struct two_level_result result = {.end = TWO_LEVEL_NEGATIVE};
-    for (enum hessian_kind kind = HESSIAN_EXACT; kind <= HESSIAN_SEMIDEFINITE && result.end == TWO_LEVEL_NEGATIVE; kind++) {
-        if (!update_levels(p, x, kind))
-            continue;
-        double start = stopwatch();
-        result = two_level_solve(p->two_level, p->gradient, GAIN, MOST_CONJUGATE, p->step, p->trial);
-        p->effort->solve_s += stopwatch() - start;
+    double start = stopwatch();
+    struct two_level_result result = two_level_solve(p->two_level, p->gradient, GAIN, MOST_CONJUGATE, p->step, NULL);
+    p->effort->solve_s += stopwatch() - start;
+    return result;
+}
+
+/* Conjugate gradients on H step = -g, with as much of the semidefinite Hessian in H as leaves no negative direction: what
+ * leads up to one is a short step (Steihaug 1983 takes it: three times as many on the Miura), a shift by the mass stops
+ * the soft bends of a large sheet that the semidefinite Hessian lets go on. */
+static bool conjugate_step(struct problem *p, const double *x, double *blend)
+{
+    for (;;) {
+        struct two_level_result result = {.end = TWO_LEVEL_NEGATIVE};
+        if (update_levels(p, x, *blend, *blend == 1))
+            result = solve_levels(p);
+        if (result.end != TWO_LEVEL_NEGATIVE || *blend == 1)
+            return result.end != TWO_LEVEL_NEGATIVE || result.decrease > 0;
+        *blend = fmin(1, fmax(8 * *blend, FIRST_BLEND));
     }
-    return result.end != TWO_LEVEL_NEGATIVE || result.decrease > 0;
 }
 
 /* Moves x along the step by Armijo's rule with quadratic backtracking; returns
@@ -140,6 +149,7 @@ static bool step_by_gradient(struct problem *p, double *x)
 struct march {
     double energy;
     double shift;           /* of the Hessian, in masses */
+    double blend;           /* of the semidefinite Hessian in that of a conjugate step */
     double before;          /* the gradient one step ago */
     double most;            /* way of a node in one step */
     bool   keep;            /* near the end one factor serves several steps */
@@ -156,7 +166,15 @@ static enum outcome last_steps(struct problem *p, double *x, struct march *m)
     return OUTCOME_CONVERGED;
 }
 
-/* Along the step as far as it descends; the shift learns from how far that was. */
+/* The shift or blend of the next step by how far this one went: an eighth after a whole one, none below the least. */
+static double next_remedy(double now, double length, double first, double least)
+{
+    if (length == 1)
+        return now / 8 < least ? 0 : now / 8;
+    return length < 0.25 ? fmax(4 * now, first) : now;
+}
+
+/* Along the step as far as it descends. */
 static enum outcome descend(struct problem *p, double *x, double slope, struct march *m)
 {
     double length = line_search(p, x, m->energy, slope);
@@ -169,10 +187,8 @@ static enum outcome descend(struct problem *p, double *x, double slope, struct m
     p->effort->iterations++;
     m->energy = p->energy.total;
     m->keep = length == 1 && m->shift == 0 && !p->two_level;
-    if (length == 1)
-        m->shift = m->shift / 8 < FIRST_SHIFT * 1e-3 ? 0 : m->shift / 8;
-    else if (length < 0.25)
-        m->shift = fmax(4 * m->shift, FIRST_SHIFT);
+    m->shift = next_remedy(m->shift, length, FIRST_SHIFT, FIRST_SHIFT * 1e-3);
+    m->blend = fmin(1, next_remedy(m->blend, length, FIRST_BLEND, LEAST_BLEND));
     return problem_report(p) ? OUTCOME_CONVERGED : OUTCOME_STOPPED;
 }
 
@@ -185,7 +201,7 @@ static enum outcome newton_step(struct problem *p, double *x, struct march *m)
         return OUTCOME_LIMIT;
     if (problem_lost(p, x))
         return OUTCOME_STALLED;
-    if (!(p->two_level ? conjugate_step(p, x) : factored_step(p, x, &m->shift, m->keep)))
+    if (!(p->two_level ? conjugate_step(p, x, &m->blend) : factored_step(p, x, &m->shift, m->keep)))
         return OUTCOME_FAILED;
     cap_step(p->d, m->most, p->step);
     double slope = dot(p->d->n, p->gradient, p->step);
@@ -195,7 +211,7 @@ static enum outcome newton_step(struct problem *p, double *x, struct march *m)
 enum outcome newton_minimise(struct problem *p, double *x)
 {
     const struct sheet *sheet = p->d->sheet;
-    struct march m = {.energy = problem_evaluate(p, x), .before = INFINITY,
+    struct march m = {.energy = problem_evaluate(p, x), .before = INFINITY, .blend = 1,
                       .most = 0.25 * fmax(sheet->columns * sheet->dx, sheet->rows * sheet->dy)};
     m.shift = fmin(FAR * p->gradient_max, FAR_SHIFT);
     if (!(m.shift > FIRST_SHIFT))
@@ -233,7 +249,7 @@ static double softest_direction(struct problem *p, double shift, double *v)
 static bool is_minimum_by_conjugates(struct problem *p, const double *x, double *direction)
 {
     uint64_t seed = 1;
-    if (!update_levels(p, x, HESSIAN_EXACT))
+    if (!update_levels(p, x, 0, true))
         return false;
     for (int i = 0; i < p->d->n; i++)
         p->step[i] = noise_next(&seed);

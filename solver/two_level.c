@@ -128,10 +128,12 @@ static bool factor_blocks(struct two_level *t)
     return failed == 0;
 }
 
-static void solve_block(const double *L, int m, const double *b, double *x)
+/* z += half of L^-T L^-1 r */
+static void add_half_of_block(const double *L, int m, const double *r, double *z)
 {
+    double x[m];
     for (int i = 0; i < m; i++) {
-        x[i] = b[i];
+        x[i] = r[i];
         for (int k = 0; k < i; k++)
             x[i] -= L[i * m + k] * x[k];
         x[i] /= L[i * m + i];
@@ -140,19 +142,33 @@ static void solve_block(const double *L, int m, const double *b, double *x)
         for (int k = i + 1; k < m; k++)
             x[i] -= L[k * m + i] * x[k];
         x[i] /= L[i * m + i];
+        z[i] += 0.5 * x[i];
     }
 }
 
-bool two_level_update(struct two_level *t, const double *x, double growth, enum hessian_kind kind)
+/* H = H + blend (S - H) */
+static void blend_semidefinite(struct two_level *t, const double *x, double growth, double blend)
 {
-    t->fine->op->hessian(t->fine, x, growth, kind, t->H);
+    size_t size = (size_t)t->fine->pattern.start[t->fine->n];
+    double *S = MEMORY_ARRAY(double, size);
+    t->fine->op->hessian(t->fine, x, growth, HESSIAN_SEMIDEFINITE, S);
+    for (size_t i = 0; i < size; i++)
+        t->H[i] += blend * (S[i] - t->H[i]);
+    free(S);
+}
+
+bool two_level_update(struct two_level *t, const double *x, double growth, double blend)
+{
+    t->fine->op->hessian(t->fine, x, growth, blend < 1 ? HESSIAN_EXACT : HESSIAN_SEMIDEFINITE, t->H);
+    if (blend > 0 && blend < 1)
+        blend_semidefinite(t, x, growth, blend);
     return factor_blocks(t);
 }
 
-bool two_level_renew(struct two_level *t)
+bool two_level_renew(struct two_level *t, bool shifted)
 {
     const struct discretisation *coarse = t->coarse;
-    enum factor_result result = FACTOR_INDEFINITE;
+    enum factor_result result;
     if (!t->H_coarse) {
         t->H_coarse = MEMORY_ARRAY(double, coarse->pattern.start[coarse->n]);
         t->diagonal = MEMORY_ARRAY(double, coarse->n);
@@ -162,10 +178,12 @@ bool two_level_renew(struct two_level *t)
     coarse->op->restrict_hessian(coarse, t->H_coarse, t->fine, t->H);
     for (int i = 0; i < coarse->n; i++)
         t->diagonal[i] = t->H_coarse[coarse->pattern.start[i]];
-    for (double shift = 0; result == FACTOR_INDEFINITE && shift < LAST_SHIFT; shift = fmax(8 * shift, FIRST_SHIFT)) {
+    double shift = 0;
+    do {
         problem_regularise(coarse, t->x_coarse, t->diagonal, t->mass, shift, t->H_coarse);
         result = factor_numeric(t->factor, t->H_coarse);
-    }
+        shift = fmax(8 * shift, FIRST_SHIFT);
+    } while (result == FACTOR_INDEFINITE && shifted && shift < LAST_SHIFT);
     return result == FACTOR_DONE;
 }
 
@@ -174,20 +192,38 @@ void two_level_multiply(const struct two_level *t, const double *v, double *y)
     multiply(t, v, y);
 }
 
-/* z = M^-1 r */
+/* z += D^-1 r / 2.  Four nodes share an element, so that 4 D - H is a sum of positive semidefinite ones over the
+ * elements: no eigenvalue of D^-1 H is above four, and half a step does not overshoot by more than it was off. */
+static void add_half_of_blocks(const struct two_level *t, const double *r, double *z)
+{
+    int m = t->fine->block;
+#pragma omp parallel for num_threads(t->fine->threads) if (t->fine->threads > 1)
+    for (int i = 0; i < t->fine->n; i += m)
+        add_half_of_block(t->blocks + (size_t)i * (size_t)m, m, r + i, z + i);
+}
+
+/* left = r - H z */
+static void subtract(const struct two_level *t, const double *r, const double *z, double *left)
+{
+    multiply(t, z, t->Hv);
+    for (int i = 0; i < t->fine->n; i++)
+        left[i] = r[i] - t->Hv[i];
+}
+
+/* z = M^-1 r: the nodes' blocks, the coarse level on what they leave, and the blocks again. */
 static void precondition(struct two_level *t, const double *r, double *z)
 {
     const struct discretisation *coarse = t->coarse, *fine = t->fine;
-    coarse->op->restrict_gradient(coarse, t->down, fine, r);
+    memset(z, 0, sizeof *z * (size_t)fine->n);
+    add_half_of_blocks(t, r, z);
+    subtract(t, r, z, t->up);
+    coarse->op->restrict_gradient(coarse, t->down, fine, t->up);
     factor_solve(t->factor, t->down, t->down);
     coarse->op->prolong(coarse, t->down, fine, t->up);
-    int m = fine->block;
-#pragma omp parallel for num_threads(fine->threads) if (fine->threads > 1)
-    for (int i = 0; i < fine->n; i += m) {
-        solve_block(t->blocks + (size_t)i * (size_t)m, m, r + i, z + i);
-        for (int k = i; k < i + m; k++)
-            z[k] += t->up[k];
-    }
+    for (int i = 0; i < fine->n; i++)
+        z[i] += t->up[i];
+    subtract(t, r, z, t->up);
+    add_half_of_blocks(t, t->up, z);
 }
 
 static double dot(int n, const double *a, const double *b)

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Conjugate gradients on a level's Hessian, preconditioned by the sum of its
- * nodes' own blocks and the factor of a coarser level's,
- * M^-1 = D^-1 + P H_coarse^-1 P^T: no factor of the level itself.  H_coarse is
- * P^T H P once two_level_renew was called (soft modes are told apart by little:
- * with the coarse level's own Hessian at its own minimum the steps were up to
- * five times as many). */
+ * Conjugate gradients on a level's Hessian without a factor of it: the
+ * preconditioner goes half a step by the nodes' own blocks D, corrects what is
+ * left by the factor of a coarser level's Hessian, and goes another half step,
+ * I - M^-1 H = (I - D^-1 H / 2) (I - P H_coarse^-1 P^T H) (I - D^-1 H / 2).
+ * H_coarse is P^T H P once two_level_renew was called (soft modes are told apart
+ * by little: with the coarse level's own Hessian at its own minimum the steps
+ * were up to five times as many).
+ */
 #ifndef WEFT_TWO_LEVEL_H
 #define WEFT_TWO_LEVEL_H
 
@@ -19,12 +21,13 @@ struct two_level *two_level_make(const struct discretisation *coarse, const doub
                                  const struct discretisation *fine);
 void two_level_free(struct two_level *t);
 
-/* Takes the fine Hessian at x (fine n).  false: a node's own block is not positive definite. */
-bool two_level_update(struct two_level *t, const double *x, double growth, enum hessian_kind kind);
+/* Takes the fine H = E + blend (S - E) at x (fine n), E the exact Hessian and S the semidefinite one; blend 0 to 1.
+ * false: a node's own block is not positive definite. */
+bool two_level_update(struct two_level *t, const double *x, double growth, double blend);
 
-/* Factors P^T H P of the fine Hessian taken last, shifted where that is not
- * positive definite.  false: it cannot be factored. */
-bool two_level_renew(struct two_level *t);
+/* Factors P^T H P of the fine Hessian taken last; where that is not positive definite it is shifted, if it may be.
+ * false: it cannot be factored. */
+bool two_level_renew(struct two_level *t, bool shifted);
 
 enum two_level_end { TWO_LEVEL_DONE, TWO_LEVEL_NEGATIVE, TWO_LEVEL_CAP };
 
