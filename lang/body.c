@@ -81,7 +81,8 @@ static bool lower_as_row(struct eval *eval, const struct row *row, const struct 
     const struct row_text *other = rows_find(body->rows, label);
 
     if (!other) {
-        diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "there is no row %d before this one", label);
+        diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference ? row->reference->span : row->body_span,
+                   "there is no row %d before this one", label);
         return false;
     }
     text->work = other->work;
@@ -141,6 +142,37 @@ static void lower_fabric(struct eval *eval, const struct row *row, int variant, 
         text->on_ws = run_of(eval, first == STITCH_K ? STITCH_P : STITCH_K, 0, row->body_span);
 }
 
+/* ---- rows in pattern ---- */
+
+/* `Row 5: work in pattern` behind rows 1-4: row 1 once more. Behind row 1 alone: as it shows from the other side, 0.
+ * -1: which row's turn it is is open. */
+static int row_in_pattern(const struct row *row, struct body *body, int label)
+{
+    if (!body->in_pattern || label != body->in_pattern + 1)
+        body->period = label - 1;
+    body->in_pattern = label;
+    if (body->period == 1 && !row->round)
+        return 0;
+    return body->period < 1 || (body->period % 2 && !row->round) ? -1 : (label - 1) % body->period + 1;
+}
+
+static bool pattern_is_open(struct eval *eval, const struct row *row, const struct body *body)
+{
+    diag_error(eval->diag, CODE_ELSEWHERE, row->body_span, "the turn of which row it is 'in pattern' is open: %s",
+               body->period < 1 ? "no row is above" : "an odd number of rows is above");
+    diag_hint(eval->diag, "`as row 1`, or the row's stitches");
+    return false;
+}
+
+static void warn_in_pattern(struct eval *eval, const struct row *row, int which)
+{
+    if (which < 0)
+        return;
+    diag_warning(eval->diag, CODE_IN_PATTERN, row->body_span, "what 'in pattern' is here is not said: %s",
+                 which ? arena_printf(eval->arena, "as row %d", which) : "the knits are knitted, the purls purled");
+    diag_hint(eval->diag, "`%s` says it", which ? arena_printf(eval->arena, "as row %d", which) : "knit the knits and purl the purls");
+}
+
 /* ---- bodies ---- */
 
 /* `from`: the row whose text it is (`as rows 1-4`), or which of a fabric's. */
@@ -159,6 +191,9 @@ static bool lower_body(struct eval *eval, struct where where, const struct row *
     case BODY_FABRIC:
         lower_fabric(eval, row, from, text);
         return true;
+    case BODY_IN_PATTERN:
+        text->as_below = !from;
+        return from < 0 ? pattern_is_open(eval, row, body) : !from || lower_as_row(eval, row, body, from, text);
     default:
         return lower_items(eval, where, row->item, &text->work) && work_measure(eval->diag, text->work, &length);
     }
@@ -234,8 +269,14 @@ struct row_run {
 static bool next_text(struct eval *eval, struct where where, struct row_run *run, struct body *body, int i)
 {
     const struct row *row = run->row;
-    int which = row->body == BODY_AS_ROW ? run->from.label[i % run->from.n] : row->body == BODY_FABRIC ? fabric_variant(row, i) : 0;
+    int which = row->body == BODY_AS_ROW       ? run->from.label[i % run->from.n]
+                : row->body == BODY_FABRIC     ? fabric_variant(row, i)
+                : row->body == BODY_IN_PATTERN ? row_in_pattern(row, body, run->labels.label[i])
+                                               : 0;
     bool starting = row->starting && i < 2;
+
+    if (row->body == BODY_IN_PATTERN && i == 0)
+        warn_in_pattern(eval, row, which);
 
     if (i > 0 && which == run->which && !starting)
         return true;

@@ -97,7 +97,8 @@
     X(CODE_ASSUMED_TOTAL,   908, "rows worked so often, by which the first time may be meant or not")   \
     X(CODE_SECOND_PART,     909, "rows that begin again at 1: a second part")                              \
     X(CODE_KNITOUT_EXTENSION, 910, "an extension of knitout that is not read")                             \
-    X(CODE_LAST_REPEAT,     911, "a repeat whose last time is taken to stop short")
+    X(CODE_LAST_REPEAT,     911, "a repeat whose last time is taken to stop short")                        \
+    X(CODE_IN_PATTERN,      912, "a row worked 'in pattern', by the rows above")
 
 enum diag_code {
 #define X(name, number, about) name = number,

@@ -187,6 +187,8 @@ struct body {
     long long          cast_on;         /* 0: none */
     struct span        cast_on_span;
     struct multiple    multiple;
+    int                in_pattern;      /* the last row `in pattern`; 0: none */
+    int                period;          /* the rows before it, and before those in pattern right before it */
     bool               failed;
     struct span        first;           /* of its first statement */
 };

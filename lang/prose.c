@@ -248,7 +248,7 @@ bool prose_stitches_follow(const char *text)
         return true;
     next = skip_blanks(text + word_length(text));
     if (is_one_of(text, same, 3))
-        return is_rows_word(next) && !says_how_often(next);
+        return (is_rows_word(next) && !says_how_often(next)) || (isdigit((unsigned char)*next) && prose_line_ends(next + strspn(next, "0123456789")));
     if (!is_one_of(text, stitch, 4) && !(strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
         return false;
     return isdigit((unsigned char)text[1]) || !*next || strchr(".,|\r\n", *next) || is_one_of(next, behind, 3) ||

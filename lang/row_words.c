@@ -255,6 +255,8 @@ static void put_row(struct writer *w, const struct row *row)
         PUT("as %s %s", w->noun, count(w, row->reference->first));
     else if (row->body == BODY_AS_BELOW)
         PUT(row->opposite ? "purl the knits and knit the purls" : "knit the knits and purl the purls");
+    else if (row->body == BODY_IN_PATTERN)
+        PUT("work in pattern");
     else
         put_items(w, row->item, true);
     PUT("%s", w->stop);

@@ -377,6 +377,40 @@ static bool is_whole_below(const struct item *item)
            (item->more->until.kind == UNTIL_FIT || item->more->until.kind == UNTIL_END);
 }
 
+/* Whether a name is words of the list alone, and one of them the first. */
+static bool has_only(const char *name, const char *const *words, int n)
+{
+    size_t length, at = 0;
+
+    for (; name[at]; at += length, at += strspn(name + at, " \t")) {
+        int i = 0;
+
+        length = strcspn(name + at, " \t");
+        while (i < n && (strncasecmp(words[i], name + at, length) != 0 || words[i][length]))
+            i++;
+        if (i == n)
+            return false;
+    }
+    return at > 0;
+}
+
+/* `work in pattern as established`, `patt to end`, and no more; only rows with a number have a turn. */
+static bool is_in_pattern(struct parse *parse, const struct row *head, const struct item *item)
+{
+    static const char *const words[] = {"patt", "pattern", "work", "in", "the", "est", "established", "as", "set", "even", "to", "end", "across", "row"};
+    struct stitch_words name;
+    enum until_kind until;
+
+    if (!item || item->next || item->kind > ITEM_STITCH || item_is_below(item) || !head->numbers || head->numbers->all)
+        return false;
+    name = item_words(parse->source, item);
+    until = item_until(parse->source, item).kind;
+    if (name.count || name.figures.source || (until != UNTIL_ONCE && until != UNTIL_END))
+        return false;
+    return has_only(arena_copy(parse->arena, name.name, name.length), words, sizeof words / sizeof *words) &&
+           strcspn(name.name, "pP") < name.length;
+}
+
 struct row syntax_row(struct parse *parse, struct row head, struct span head_span, struct row body, struct span body_span)
 {
     check_times(parse, body.item, true);
@@ -384,6 +418,8 @@ struct row syntax_row(struct parse *parse, struct row head, struct span head_spa
     if (is_whole_below(body.item)) {
         body.body = BODY_AS_BELOW;
         body.opposite = body.item->more->name == item_opposite;
+    } else if (is_in_pattern(parse, &head, body.item)) {
+        body.body = BODY_IN_PATTERN;
     }
     body.count = head.count;
     body.starting = head.starting;

@@ -71,6 +71,7 @@ static const struct phrase table[] = {
     {"=# =row|rows|round|rounds|rnd|rnds , and|then? then? =knit|purl|k|p|work =#", "."},
     {"as given? above|before", ""},
     {"and then? =cast|bind =off", "."},
+    {"=: cont|continue|keep =in", "work"},
     {"; =co|cast =on? =#", "\n"},
 
     /* the next rows */

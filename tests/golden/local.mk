@@ -58,6 +58,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/place_of_statements.knit \
     tests/golden/prose.knit \
     tests/golden/prose_width.knit \
+    tests/golden/in_pattern.knit \
     tests/golden/repeat_no_count.knit \
     tests/golden/last_repeat.knit \
     tests/golden/refused.knit \
@@ -102,6 +103,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/place_of_statements.expected \
     tests/golden/prose.expected \
     tests/golden/prose_width.expected \
+    tests/golden/in_pattern.expected \
     tests/golden/repeat_no_count.expected \
     tests/golden/last_repeat.expected \
     tests/golden/refused.expected \
