@@ -8,7 +8,7 @@ libsolver_a_SOURCES = \
     solver/patch_batch.h solver/patch_poisson.c solver/patch_poisson.h solver/patch_retract.c solver/turn_kernel.h \
     solver/dissection.c solver/dissection.h solver/springs.c solver/springs.h solver/stripes.c solver/stripes.h \
     solver/factor.c solver/factor.h solver/problem.c solver/problem.h solver/lbfgs.c \
-    solver/newton.c solver/stopwatch.h solver/descent.c solver/descent.h \
+    solver/newton.c solver/stopwatch.h solver/vector.h solver/descent.c solver/descent.h \
     solver/estimate.c solver/cross_check.c solver/cross_check.h solver/estimate.h solver/two_level.c solver/two_level.h solver/fold.c solver/fold_state.h solver/levels.c solver/levels.h solver/noise.h solver/shape.c solver/shape.h
 
 libsolver_a_SOURCES += \

@@ -9,6 +9,7 @@
 #include "solver/noise.h"
 #include "solver/problem.h"
 #include "solver/stopwatch.h"
+#include "solver/vector.h"
 
 static const double ARMIJO = 1e-4;          /* share of the predicted decrease a step must reach */
 static const double KEPT = 0.1;             /* of the gradient must be all that a step leaves for its factor to serve again */
@@ -19,14 +20,6 @@ static const double FIRST_BLEND = 1.0 / 64, LEAST_BLEND = 1e-3; /* of the semide
 static const double GAIN = 1e-4;            /* of the decrease: a conjugate step that adds less is the last */
 static const double GAIN_OF_TEST = 1e-10;   /* the same in the inertia test */
 enum { MOST_CONJUGATE = 300 };
-
-static double dot(int n, const double *a, const double *b)
-{
-    double s = 0;
-    for (int i = 0; i < n; i++)
-        s += a[i] * b[i];
-    return s;
-}
 
 /* Factors H + shift M, raising the shift until that is positive definite. */
 static bool factor_shifted(struct problem *p, const double *x, double *shift)
@@ -204,7 +197,7 @@ static enum outcome newton_step(struct problem *p, double *x, struct march *m)
     if (!(p->two_level ? conjugate_step(p, x, &m->blend) : factored_step(p, x, &m->shift, m->keep)))
         return OUTCOME_FAILED;
     cap_step(p->d, m->most, p->step);
-    double slope = dot(p->d->n, p->gradient, p->step);
+    double slope = vector_dot(p->d->n, p->gradient, p->step);
     return -slope < ROUNDING * fabs(m->energy) ? last_steps(p, x, m) : descend(p, x, slope, m);
 }
 
@@ -231,7 +224,7 @@ static double softest_direction(struct problem *p, double shift, double *v)
         v[i] = sin(1.0 + 12.9898 * i) * p->mass[i];
     for (int round = 0; round < 12; round++) {
         factor_solve(p->factor, v, p->trial);
-        double top = dot(n, p->trial, v), norm = 0;
+        double top = vector_dot(n, p->trial, v), norm = 0;
         for (int i = 0; i < n; i++)
             norm += p->mass[i] * p->trial[i] * p->trial[i];
         curvature = top / norm - shift;

@@ -8,6 +8,7 @@
 
 #include "solver/memory.h"
 #include "solver/problem.h"
+#include "solver/vector.h"
 
 static const double FIRST_SHIFT = 1e-5, LAST_SHIFT = 1e6;
 
@@ -226,14 +227,6 @@ static void precondition(struct two_level *t, const double *r, double *z)
     add_half_of_blocks(t, t->up, z);
 }
 
-static double dot(int n, const double *a, const double *b)
-{
-    double s = 0;
-    for (int i = 0; i < n; i++)
-        s += a[i] * b[i];
-    return s;
-}
-
 struct two_level_result two_level_solve(struct two_level *t, const double *g, double enough, int most, double *e,
                                         double *negative)
 {
@@ -245,12 +238,12 @@ struct two_level_result two_level_solve(struct two_level *t, const double *g, do
     while (result.iterations < most) {
         precondition(t, t->r, t->z);
         double before = rho;
-        rho = dot(n, t->r, t->z);
+        rho = vector_dot(n, t->r, t->z);
         double keep = result.iterations++ ? rho / before : 0;
         for (int i = 0; i < n; i++)
             t->v[i] = -t->z[i] + keep * t->v[i];
         multiply(t, t->v, t->Hv);
-        double curvature = dot(n, t->v, t->Hv);
+        double curvature = vector_dot(n, t->v, t->Hv);
         if (!(curvature > 0)) {
             result.end = rho > 0 ? TWO_LEVEL_NEGATIVE : TWO_LEVEL_DONE;
             if (negative)

@@ -52,3 +52,20 @@ double scene_random(void)
     state ^= state << 13, state ^= state >> 7, state ^= state << 17;
     return (double)(state >> 11) / 4503599627370496.0 - 1;
 }
+
+double *scene_vector(int n, double amplitude)
+{
+    double *v = MEMORY_ARRAY(double, n);
+    for (int i = 0; i < n; i++)
+        v[i] = amplitude * scene_random();
+    return v;
+}
+
+double *scene_state(const struct discretisation *d, double amplitude)
+{
+    double *x = MEMORY_ARRAY(double, d->n);
+    d->op->flat(d, x);
+    for (int i = 0; i < d->n; i++)
+        x[i] += amplitude * scene_random();
+    return x;
+}

@@ -3,6 +3,7 @@
 #ifndef WEFT_TEST_SCENES_H
 #define WEFT_TEST_SCENES_H
 
+#include "solver/discretisation.h"
 #include "solver/sheet.h"
 
 /* A sheet of columns x rows stitches 1.4 x 1.2, h = 0.5, Y = 1, nu = 0.4, no
@@ -16,5 +17,9 @@ int miura(int x, int y);        /* the motif of 12 x 23 */
 
 /* A reproducible number in [-1, 1]. */
 double scene_random(void);
+
+/* To be freed: n such numbers times an amplitude; the flat state with these added. */
+double *scene_vector(int n, double amplitude);
+double *scene_state(const struct discretisation *d, double amplitude);
 
 #endif

@@ -11,6 +11,7 @@
 #include "solver/memory.h"
 #include "solver/patch.h"
 #include "solver/two_level.h"
+#include "solver/vector.h"
 #include "tests/solver/near.h"
 #include "tests/solver/scenes.h"
 
@@ -24,31 +25,6 @@ static struct sheet *full_sheet(void)
         s->twist[i] = 0.3 * scene_random();
     s->spring = 0.02;
     s->spring_edges = EDGE_LEFT | EDGE_TOP;
-    return s;
-}
-
-static double *large_state(const struct discretisation *d, double amplitude)
-{
-    double *x = MEMORY_ARRAY(double, d->n);
-    d->op->flat(d, x);
-    for (int i = 0; i < d->n; i++)
-        x[i] += amplitude * scene_random();
-    return x;
-}
-
-static double *direction(const struct discretisation *d)
-{
-    double *v = MEMORY_ARRAY(double, d->n);
-    for (int i = 0; i < d->n; i++)
-        v[i] = scene_random();
-    return v;
-}
-
-static double dot(int n, const double *a, const double *b)
-{
-    double s = 0;
-    for (int i = 0; i < n; i++)
-        s += a[i] * b[i];
     return s;
 }
 
@@ -86,7 +62,7 @@ static double gradient_error(const struct discretisation *d, const double *x, co
             y[i] = x[i] + (side ? step : -step) * v[i];
         e[side] = d->op->energy(d, y, 0.7, NULL).total;
     }
-    double exact = dot(d->n, g, v), error = fabs((e[1] - e[0]) / (2 * step) - exact) / fabs(exact);
+    double exact = vector_dot(d->n, g, v), error = fabs((e[1] - e[0]) / (2 * step) - exact) / fabs(exact);
     free(g), free(y);
     return error;
 }
@@ -109,7 +85,7 @@ static double hessian_error(const struct discretisation *d, const double *x, con
     }
     for (int i = 0; i < n; i++)
         diff[i] -= Hv[i];
-    double error = sqrt(dot(n, diff, diff) / dot(n, Hv, Hv));
+    double error = sqrt(vector_dot(n, diff, diff) / vector_dot(n, Hv, Hv));
     free(H), free(Hv), free(y), free(diff);
     return error;
 }
@@ -120,7 +96,7 @@ static void gradient_is_the_derivative(void **state)
     struct sheet *s = full_sheet();
     for (int b = 0; b < 2; b++) {
         struct discretisation *d = patch_make(s, bases[b], 1, 3, 1);
-        double *x = large_state(d, 0.4), *v = direction(d);
+        double *x = scene_state(d, 0.4), *v = scene_vector(d->n, 1);
         assert_true(least_error(d, gradient_error, x, v) < 1e-8);
         free(x), free(v);
         d->op->free(d);
@@ -135,7 +111,7 @@ static void hessian_is_the_derivative(void **state)
     for (int b = 0; b < 2; b++)
         for (int per_stitch = 1; per_stitch <= 2; per_stitch++) {
             struct discretisation *d = patch_make(s, bases[b], per_stitch, 4, 1);
-            double *x = large_state(d, 0.2), *v = direction(d);
+            double *x = scene_state(d, 0.2), *v = scene_vector(d->n, 1);
             assert_true(least_error(d, hessian_error, x, v) < 1e-8);
             free(x), free(v);
             d->op->free(d);
@@ -150,19 +126,19 @@ static void semidefinite_hessian_has_no_negative_direction(void **state)
     struct discretisation *d = patch_make(s, &basis_hermite, 1, 3, 1);
     double *H = MEMORY_ARRAY(double, d->pattern.start[d->n]), *Hv = MEMORY_ARRAY(double, d->n);
     for (int trial = 0; trial < 5; trial++) {
-        double *x = large_state(d, 0.5);
+        double *x = scene_state(d, 0.5);
         d->op->hessian(d, x, 1, HESSIAN_SEMIDEFINITE, H);
         /* Power iteration on c I - H finds the lowest eigenvalue. */
-        double c = 0, lowest = 0, *v = direction(d);
+        double c = 0, lowest = 0, *v = scene_vector(d->n, 1);
         for (int i = 0; i < d->n; i++)
             for (int k = d->pattern.start[i]; k < d->pattern.start[i + 1]; k++)
                 c += fabs(H[k]) / 20;
         for (int round = 0; round < 3000; round++) {
             multiply(&d->pattern, H, v, Hv);
-            lowest = dot(d->n, v, Hv) / dot(d->n, v, v);
+            lowest = vector_dot(d->n, v, Hv) / vector_dot(d->n, v, v);
             for (int i = 0; i < d->n; i++)
                 v[i] -= Hv[i] / c;
-            double length = sqrt(dot(d->n, v, v));
+            double length = sqrt(vector_dot(d->n, v, v));
             for (int i = 0; i < d->n; i++)
                 v[i] /= length;
         }
@@ -204,7 +180,7 @@ static void rigid_motion_costs_nothing(void **state)
     struct sheet *s = full_sheet();
     s->spring = 0;
     struct discretisation *d = patch_make(s, &basis_hermite, 1, 3, 1);
-    double *x = large_state(d, 0.3), before = d->op->energy(d, x, 1, NULL).total;
+    double *x = scene_state(d, 0.3), before = d->op->energy(d, x, 1, NULL).total;
     const double R[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
     for (int i = 0; i < d->n; i += 3) {
         double r[3] = {x[i], x[i + 1], x[i + 2]};
@@ -246,7 +222,7 @@ static void prolongation_keeps_the_surface(void **state)
     struct sheet *s = full_sheet();
     struct discretisation *level[3] = {patch_make(s, &basis_spline, 1, 4, 1), patch_make(s, &basis_hermite, 1, 4, 1),
                                        patch_make(s, &basis_hermite, 2, 4, 1)};
-    double *x = large_state(level[0], 0.1);
+    double *x = scene_state(level[0], 0.1);
     struct surface coarse = surface_make(5, 4, 3), fine = surface_make(5, 4, 3);
     level[0]->op->sample(level[0], x, 1, &coarse);
     for (int l = 1; l < 3; l++) {
@@ -279,34 +255,34 @@ static void restrictions_are_those_of_the_prolongation(void **state)
                                       patch_make(s, &basis_hermite, 2, 4, 2)};
     for (int l = 1; l < 3; l++) {
         const struct discretisation *coarse = level[l - 1], *fine = level[l];
-        double *x = large_state(fine, 0.1), *g = direction(fine), *v = direction(coarse);
+        double *x = scene_state(fine, 0.1), *g = scene_vector(fine->n, 1), *v = scene_vector(coarse->n, 1);
         double *Pv = MEMORY_ARRAY(double, fine->n), *HPv = MEMORY_ARRAY(double, fine->n);
         double *Pg = MEMORY_ARRAY(double, coarse->n), *Hv = MEMORY_ARRAY(double, coarse->n), *y = MEMORY_ARRAY(double, fine->n);
         double *H = MEMORY_ARRAY(double, fine->pattern.start[fine->n]);
         double *Hc = MEMORY_ARRAY(double, coarse->pattern.start[coarse->n]);
         coarse->op->prolong(coarse, v, fine, Pv);
         coarse->op->restrict_gradient(coarse, Pg, fine, g);
-        assert_near(dot(coarse->n, Pg, v), dot(fine->n, g, Pv), 1e-10);
+        assert_near(vector_dot(coarse->n, Pg, v), vector_dot(fine->n, g, Pv), 1e-10);
 
         fine->op->hessian(fine, x, 1, HESSIAN_EXACT, H);
         coarse->op->restrict_hessian(coarse, Hc, fine, H);
         multiply(&fine->pattern, H, Pv, HPv);
         multiply(&coarse->pattern, Hc, v, Hv);
         coarse->op->restrict_gradient(coarse, Pg, fine, HPv);
-        double size = sqrt(dot(coarse->n, Hv, Hv));
+        double size = sqrt(vector_dot(coarse->n, Hv, Hv));
         for (int i = 0; i < coarse->n; i++)
             assert_near(Hv[i], Pg[i], 1e-12 * size);
 
         struct two_level *t = two_level_make(coarse, NULL, NULL, fine);
         two_level_update(t, x, 1, 0);
         two_level_multiply(t, Pv, y);
-        size = sqrt(dot(fine->n, HPv, HPv));
+        size = sqrt(vector_dot(fine->n, HPv, HPv));
         for (int i = 0; i < fine->n; i++)
             assert_near(y[i], HPv[i], 1e-12 * size);
 
         fine->op->hessian(fine, x, 1, HESSIAN_SEMIDEFINITE, H);
         multiply(&fine->pattern, H, Pv, g);
-        size = fmax(size, sqrt(dot(fine->n, g, g)));
+        size = fmax(size, sqrt(vector_dot(fine->n, g, g)));
         for (int quarter = 1; quarter <= 4; quarter++) {
             two_level_update(t, x, 1, quarter / 4.0);
             two_level_multiply(t, Pv, y);
@@ -326,7 +302,7 @@ static void threads_change_nothing(void **state)
     (void)state;
     struct sheet *s = scene_sheet(24, 23, miura);
     struct discretisation *one = patch_make(s, &basis_hermite, 1, 3, 1), *two = patch_make(s, &basis_hermite, 1, 3, 2);
-    double *x = large_state(one, 0.2), *g = MEMORY_ARRAY(double, one->n), *f = MEMORY_ARRAY(double, one->n);
+    double *x = scene_state(one, 0.2), *g = MEMORY_ARRAY(double, one->n), *f = MEMORY_ARRAY(double, one->n);
     int nonzeros = one->pattern.start[one->n];
     double *H = MEMORY_ARRAY(double, nonzeros), *I = MEMORY_ARRAY(double, nonzeros);
     assert_true(one->op->energy(one, x, 1, g).total == two->op->energy(two, x, 1, f).total);

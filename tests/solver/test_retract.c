@@ -13,33 +13,11 @@
 #include "solver/memory.h"
 #include "solver/patch.h"
 #include "solver/stripes.h"
+#include "solver/vector.h"
 #include "tests/solver/near.h"
 #include "tests/solver/scenes.h"
 
 static const struct basis *const bases[] = {&basis_hermite, &basis_spline};
-
-static double *flat_state(const struct discretisation *d)
-{
-    double *x = MEMORY_ARRAY(double, d->n);
-    d->op->flat(d, x);
-    return x;
-}
-
-static double *random_vector(int n, double amplitude)
-{
-    double *v = MEMORY_ARRAY(double, n);
-    for (int i = 0; i < n; i++)
-        v[i] = amplitude * scene_random();
-    return v;
-}
-
-static double dot(int n, const double *a, const double *b)
-{
-    double s = 0;
-    for (int i = 0; i < n; i++)
-        s += a[i] * b[i];
-    return s;
-}
 
 static double largest_difference(int n, const double *a, const double *b)
 {
@@ -60,10 +38,8 @@ static struct crumpled crumpled_open(int basis, bool held)
     struct crumpled s = {.sheet = scene_sheet(24, 10, checker)};
     s.sheet->spring = held ? 1e-3 : 0;
     s.d = patch_make(s.sheet, bases[basis], 1, 3, 1);
-    s.x = flat_state(s.d);
-    for (int i = 0; i < s.d->n; i++)
-        s.x[i] += 0.2 * scene_random();
-    s.u = random_vector(s.d->n, 0.3);
+    s.x = scene_state(s.d, 0.2);
+    s.u = scene_vector(s.d->n, 0.3);
     return s;
 }
 
@@ -86,7 +62,7 @@ static void straight_to_the_first_order(void **state)
             s.d->op->retract(s.d, s.x, length, s.u, y);
             for (int i = 0; i < s.d->n; i++)
                 y[i] -= s.x[i] + length * s.u[i];
-            excess[k] = sqrt(dot(s.d->n, y, y));
+            excess[k] = sqrt(vector_dot(s.d->n, y, y));
         }
         assert_near(excess[0] / excess[1], 4, 0.01);
         free(y);
@@ -102,7 +78,7 @@ static void adjoint_is_the_derivatives(void **state)
         for (double length = 0.01; length < 20; length *= 10) {
             struct crumpled s = crumpled_open(b, length > 0.05);
             int n = s.d->n;
-            double *g = random_vector(n, 1), *v = random_vector(n, 1), *gu = MEMORY_ARRAY(double, n);
+            double *g = scene_vector(n, 1), *v = scene_vector(n, 1), *gu = MEMORY_ARRAY(double, n);
             double *y[2] = {MEMORY_ARRAY(double, n), MEMORY_ARRAY(double, n)}, e = 1e-5, *to = MEMORY_ARRAY(double, n);
             s.d->op->retract_adjoint(s.d, s.x, length, s.u, g, gu);
             for (int side = 0; side < 2; side++) {
@@ -110,8 +86,8 @@ static void adjoint_is_the_derivatives(void **state)
                     to[i] = length * s.u[i] + (side ? e : -e) * v[i];
                 s.d->op->retract(s.d, s.x, 1, to, y[side]);
             }
-            double difference = (dot(n, g, y[1]) - dot(n, g, y[0])) / (2 * e), exact = dot(n, gu, v);
-            assert_true(fabs(difference - exact) < 1e-6 * sqrt(dot(n, gu, gu) * dot(n, v, v)));
+            double difference = (vector_dot(n, g, y[1]) - vector_dot(n, g, y[0])) / (2 * e), exact = vector_dot(n, gu, v);
+            assert_true(fabs(difference - exact) < 1e-6 * sqrt(vector_dot(n, gu, gu) * vector_dot(n, v, v)));
             free(g), free(v), free(gu), free(y[0]), free(y[1]), free(to);
             crumpled_close(&s);
         }
@@ -171,7 +147,7 @@ static void threads_change_nothing(void **state)
     for (int k = 0; k < 2; k++) {
         struct sheet *sheet = scene_sheet(40, 30, checker);
         struct discretisation *d = patch_make(sheet, &basis_hermite, 1, 3, k + 1);
-        double *x = flat_state(d), *u = MEMORY_ARRAY(double, n = d->n);
+        double *x = scene_state(d, 0), *u = MEMORY_ARRAY(double, n = d->n);
         for (int i = 0; i < n; i++)
             u[i] = 0.3 * sin(12.9898 * i);
         y[k] = MEMORY_ARRAY(double, n), g[k] = MEMORY_ARRAY(double, n);
@@ -203,7 +179,7 @@ static void stripes_bend_to_rest(void **state)
         for (int i = 0; i < 14 * 6; i++)
             s->kx[i] *= 0.3, s->ky[i] = 0;
         struct discretisation *d = patch_make(s, &basis_spline, 1, 3, 1);
-        double *x = flat_state(d), flat = d->op->energy(d, x, 1, NULL).total;
+        double *x = scene_state(d, 0), flat = d->op->energy(d, x, 1, NULL).total;
         assert_true(stripes_bend(d, 1, x));
         assert_true(d->op->energy(d, x, 1, NULL).total < 0.12 * flat);
         d->op->free(d);
@@ -217,7 +193,7 @@ static void only_stripes_bend(void **state)
     (void)state;
     struct sheet *s = scene_sheet(8, 8, checker);
     struct discretisation *d = patch_make(s, &basis_spline, 1, 3, 1);
-    double *x = flat_state(d), *y = flat_state(d);
+    double *x = scene_state(d, 0), *y = scene_state(d, 0);
     assert_false(stripes_bend(d, 1, x));
     assert_memory_equal(x, y, sizeof *x * (size_t)d->n);
     d->op->free(d);
