@@ -159,6 +159,7 @@ struct again {
     enum again_kind     kind;
     bool                pattern;        /* said in words: "for pattern" */
     bool                assumed;        /* "work rows 1-4 twice": in all, where they were worked just before */
+    bool                more;           /* "3 more times", never in all */
     struct expr        *n;
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };

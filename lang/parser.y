@@ -548,12 +548,12 @@ again_once:
   %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | FOR_PATTERN                           { $$ = (struct again){.kind = AGAIN_PATTERN, .pattern = true}; }
 | count TIMES                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
-| count MORE TIMES                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
-| count TIMES MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
+| count MORE TIMES                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
+| count TIMES MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
 | TWICE                                 { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
-| TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
+| TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0), .more = true}; }
 | ',' count TIMES                       { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
-| ',' count MORE TIMES                  { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
+| ',' count MORE TIMES                  { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
 | UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
 | UNTIL_LENGTH                          { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }

@@ -501,10 +501,18 @@ static bool is_long_sentence(const char *text)
     return words >= (is_one_of(text, sentence_word, nsentence_words) ? SHORT_SENTENCE : LONG_SENTENCE) && text[word_length(text)] == ' ';
 }
 
+/* `Repeat rows 1-4 until the piece measures ...` */
+static bool is_repeat_until(const char *text)
+{
+    const char *behind = is_word(text, "repeat") || is_word(text, "rep") ? skip_blanks(text + word_length(text)) : NULL;
+
+    return behind && is_rows_word(behind) && (line_has_word(behind, "until") || line_has_word(behind, "till"));
+}
+
 bool prose_reads(const char *text, bool loose)
 {
     text += *text == '(' && isupper((unsigned char)text[1]) && count_words(text) >= SENTENCE;
-    if (line_length(text) > LONGEST || line_has(text, "{}") || is_mistyped(text))
+    if (line_length(text) > LONGEST || line_has(text, "{}") || is_mistyped(text) || is_repeat_until(text))
         return false;
     if (loose || is_long_sentence(text))
         return true;

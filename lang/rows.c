@@ -151,16 +151,33 @@ static void begin_again(struct row_list *list, const struct row_text *text)
         list->label[i] = NULL;
 }
 
+static int rows_before_first(const struct row_list *list)
+{
+    int n = 0;
+
+    while (n < list->norder && !list->order[n]->label)
+        n++;
+    return n < list->norder ? n : 0;
+}
+
+/* After a repeat the count may go on with the number of rows worked so far, without those before row 1: those that were
+ * worked again have the numbers between. */
+static void count_on(struct row_list *list, int label)
+{
+    if (!list->last_label)
+        list->first_label = label;
+    list->label = grown(list, list->label, &list->label_room, label);
+    for (int between = list->last_label + 1; list->last_label && between < label; between++)
+        list->label[between] = list->order[rows_before_first(list) + between - 1];
+    list->first = label;
+}
+
 static void add_at(struct row_list *list, struct row_text *text, int label)
 {
     int at;
 
-    /* After a repeat the count may go on with the number of rows worked so far. */
-    if (!list->npending && label == list->norder + 1 && label > list->first) {
-        list->first = label;
-        if (!list->last_label)
-            list->first_label = label;
-    }
+    if (!list->npending && label > list->first && label == list->norder - rows_before_first(list) + 1)
+        count_on(list, label);
     if (label == 1 && rows_find(list, 1))
         begin_again(list, text);
     list->loose = false;

@@ -467,7 +467,7 @@ struct again *syntax_then(struct parse *parse, struct span span, struct row_numb
 struct again syntax_work_again(struct row_numbers *numbers, struct again again)
 {
     again.numbers = numbers;
-    again.assumed = again.kind == AGAIN_TIMES;
+    again.assumed = again.kind == AGAIN_TIMES && !again.more;
     if (again.assumed)
         again.kind = AGAIN_TOTAL;
     return again;
