@@ -7,10 +7,6 @@ EXTRA_PROGRAMS += bench/limits
 bench_limits_SOURCES = bench/limits.c
 bench_limits_LDADD = libsolver.a $(LIBRARIES_OF_OTHERS)
 
-EXTRA_PROGRAMS += bench/warm
-bench_warm_SOURCES = bench/warm.c
-bench_warm_LDADD = libsolver.a liblang.a $(LIBRARIES_OF_OTHERS)
-
 EXTRA_PROGRAMS += bench/write
 bench_write_SOURCES = bench/write.c
 bench_write_LDADD = $(weft_LDADD)
@@ -26,7 +22,7 @@ EXTRA_DIST += docs/numerics.md docs/plots/accuracy.svg docs/plots/converge.svg d
 EXTRA_DIST += bench/plot.gp
 
 # Some eighty minutes, half of them the baseline; the plots want gnuplot.  See bench/run.sh for parts of it.
-bench: weft bench/limits$(EXEEXT) bench/warm$(EXEEXT) bench/write$(EXEEXT)
+bench: weft bench/limits$(EXEEXT) bench/write$(EXEEXT)
 	srcdir='$(srcdir)' WEFT=./weft sh '$(srcdir)/bench/run.sh'
 clean-local-bench:
 	-rm -rf bench/results

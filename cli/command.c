@@ -23,6 +23,8 @@ const struct command command_table[] = {
      "point that fails is recorded and the rest go on. Called again it runs only what\n"
      "is not done: a point is done when it came to an end with the same fabric,\n"
      "params, settings and outputs.\n"
+     "With --warm, points along the last param begin at their neighbours where the\n"
+     "folds from flat at both ends of a row agree with that, and no step snaps.\n"
      "On many machines: --print lists independent commands, one for each point, as\n"
      "GNU parallel wants them; in an array of jobs each runs --point K; --collect\n"
      "then makes the table.\n"},

@@ -23,9 +23,11 @@ libcli_a_SOURCES = \
     cli/run.c cli/run.h \
     cli/script.c cli/script.h \
     cli/seeds.c cli/seeds.h \
+    cli/state.c cli/state.h \
     cli/streams.c cli/streams.h \
     cli/sweep.c \
     cli/sweep_point.c cli/sweep_point.h \
+    cli/sweep_plan.c cli/sweep_plan.h \
     cli/sweep_plot.c cli/sweep_plot.h \
     cli/sweep_table.c cli/sweep_table.h \
     cli/version.c \

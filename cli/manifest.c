@@ -84,18 +84,26 @@ static void add_command(cJSON *root, const struct run *run, const char *path)
     json_integer(command, "threads", fold_threads(o->threads));
 }
 
-static void add_sources(cJSON *root, const struct scene *scene)
+static void add_source(cJSON *sources, const char *path, const char *sha256)
 {
+    cJSON *source = cJSON_CreateObject();
+    json_text(source, "path", path);
+    json_text(source, "sha256", sha256);
+    cJSON_AddItemToArray(sources, source);
+}
+
+static void add_sources(cJSON *root, const struct run *run)
+{
+    const struct scene *scene = run->script.scene;
     struct file_log log = {0};
     cJSON *sources = cJSON_AddArrayToObject(root, "sources");
     for (const struct scene_source *s = scene->source; s < scene->source + scene->nsources; s++) {
-        cJSON *source = cJSON_CreateObject();
         char sha256[FILE_HASH];
         file_hash_text(&log, s->text, s->size, sha256);
-        json_text(source, "path", s->path);
-        json_text(source, "sha256", sha256);
-        cJSON_AddItemToArray(sources, source);
+        add_source(sources, s->path, sha256);
     }
+    if (run->options->start)
+        add_source(sources, run->state.path, run->state.sha256);
     file_log_free(&log);
 }
 
@@ -124,7 +132,7 @@ cJSON *manifest_begin(const struct run *run)
     build_id(id);
     json_text(root, "build_id", id);
     add_command(root, run, path ? path : "");
-    add_sources(root, run->script.scene);
+    add_sources(root, run);
     report_describe(root, &log, &report);
     file_log_free(&log);
     free(path);

@@ -19,7 +19,7 @@ cJSON *manifest_begin(const struct run *run);
 /* Writes the manifest after all outputs:
  *   weft ... machine  what ran (build.h), build_id
  *   command           arguments, folder (the working folder, from the manifest's), weft_path, threads
- *   sources           path and sha256 of the script and what it uses
+ *   sources           path and sha256 of the script, of what it uses, of the state it starts from
  *   scene, parameters as in the report
  *   seed, status
  *   outputs           path, sha256, and lasting_sha256 where part of a file differs from run to run

@@ -98,8 +98,9 @@ static bool take_seeds(struct options *o, const struct option *option, const cha
 
 static bool take_point(struct options *o, const struct option *option, const char *value)
 {
-    o->point = count_of(o, option, value, "a point", POINTS_MAX);
-    return o->point > 0;
+    int point = count_of(o, option, value, "a point", POINTS_MAX);
+    *(int *)((char *)o + option->place) = point;
+    return point > 0;
 }
 
 static bool take_flag(struct options *o, const struct option *option, const char *value)
@@ -157,10 +158,13 @@ const struct option option_table[] = {
     {NULL, "--no-manifest", NULL, RUN, take_flag, NULL, offsetof(struct options, no_manifest), "no .manifest.json beside what is written"},
     {NULL, "--resume", NULL, "run", take_flag, NULL, offsetof(struct options, resume), "go on where a run was stopped or killed"},
     {NULL, "--cached", NULL, "run", take_flag, NULL, offsetof(struct options, cached), "fold nothing if all is as the last run left it"},
+    {NULL, "--start", "STATE", "run", take_text, NULL, offsetof(struct options, start), "begin at the state of another fold, do not grow"},
     {NULL, "--from", "MANIFEST", "run", take_text, NULL, offsetof(struct options, from), "repeat that run, compare what it wrote"},
     {NULL, "--into", "DIR", RUN, take_text, NULL, offsetof(struct options, into), "where --from or a sweep writes"},
     {NULL, "--print", NULL, "sweep", take_flag, NULL, offsetof(struct options, print), "a command for each point, run nothing"},
-    {NULL, "--point", "K", "sweep", take_point, NULL, 0, "run point K alone, the first is 1"},
+    {NULL, "--point", "K", "sweep", take_point, NULL, offsetof(struct options, point), "run point K alone, the first is 1"},
+    {NULL, "--warm", NULL, "sweep", take_flag, NULL, offsetof(struct options, warm), "begin at neighbours where ends of a row agree"},
+    {NULL, "--walk", "A", "sweep", take_point, NULL, offsetof(struct options, walk), "--point of a --warm row that began at A"},
     {NULL, "--collect", NULL, "sweep", take_flag, NULL, offsetof(struct options, collect), "make the table of the points there are"},
     {NULL, "--grid", NULL, "chart", take_flag, NULL, offsetof(struct options, grid), "names of stitches, bottom row first"},
     {NULL, "--key", "COLOURS", "import", take_text, NULL, offsetof(struct options, key), "what they mean: '#000000=k,#ffffff=p'"},
@@ -356,6 +360,9 @@ static enum status check_command(const struct options *options, const struct par
         return options_wrong(options, "--into goes with --from");
     if (options->cached && options->no_manifest)
         return options_wrong(options, "--cached goes by the manifest: --no-manifest does not go with it");
+    if (options->start && (options->resume || options->seeds > 1))
+        return options_wrong(options, "--start begins where another fold ended: %s does not go with it",
+                             options->resume ? "--resume" : "--seeds");
     if (options->noperands < command->least && !options->from)
         return options_wrong(options, "%s wants a FILE", command->name);
     if (options->noperands > command->most)

@@ -40,9 +40,12 @@ struct options {
     const char *color;                  /* "auto", "always", "never" */
     const char *diagnostics;            /* "human", "json" */
     const char *from;                   /* a manifest to repeat, or NULL */
+    const char *start;                  /* a state to begin the fold from, or NULL */
     const char *into;                   /* a folder for what is repeated, or NULL */
     bool        no_manifest, resume, cached, print, collect;
+    bool        warm;                   /* points of a sweep may begin at their neighbours */
     int         point;                  /* the one of a sweep to run, from 1; 0: all */
+    int         walk;                   /* with warm: the point where its row of folds began; 0: it begins flat */
 
     int         argc;                   /* the words all of this was made of */
     char      **argv;

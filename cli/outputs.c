@@ -16,6 +16,7 @@
 #include "charts/picture.h"
 #include "cli/progress.h"
 #include "cli/script.h"
+#include "cli/state.h"
 #include "output/chart.h"
 #include "output/growth.h"
 #include "output/obj.h"
@@ -44,7 +45,7 @@ struct occasion {
 };
 
 typedef bool write_output(struct outputs *outputs, int index, const struct occasion *now);
-static write_output write_report, write_chart, write_step, write_mesh, write_glb, write_page, write_growth;
+static write_output write_report, write_chart, write_step, write_mesh, write_glb, write_page, write_growth, write_state;
 
 static const struct writer {
     enum output_kind kind;
@@ -66,6 +67,7 @@ static const struct writer {
     {OUTPUT_PLY,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_STL,    NULL,   DUE_FINAL,  write_mesh},
     {OUTPUT_PICTURE, NULL,  DUE_FINAL,  write_mesh},
+    {OUTPUT_STATE,  NULL,   DUE_FINAL,  write_state},
     {OUTPUT_PLOT,   NULL,   DUE_RECORD, write_growth},
     {OUTPUT_TABLE,  NULL,   DUE_RECORD, write_growth},
     {OUTPUT_GLB,    NULL,   DUE_STEP | DUE_FINAL | DUE_STOPPED, write_glb},
@@ -319,6 +321,12 @@ static bool write_growth(struct outputs *outputs, int index, const struct occasi
     const struct output *output = &outputs->scene->output[index];
     return output->kind == OUTPUT_PLOT ? growth_plot(&outputs->log, output, now->record)
                                        : growth_table(&outputs->log, output->path, now->record);
+}
+
+static bool write_state(struct outputs *outputs, int index, const struct occasion *now)
+{
+    const struct fold_start start = fold_start(now->state);
+    return state_write(&outputs->log, outputs->scene->output[index].path, &start);
 }
 
 static bool keep_step(struct outputs *outputs, int index, const struct occasion *now)

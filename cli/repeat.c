@@ -132,17 +132,23 @@ static enum status find_script(struct repeat *r, const char **script)
                   path, r->options->from);
 }
 
+/* Has number i of the first run's files this hash? */
+static enum status compare_hash(const struct repeat *r, int i, const char *path, const char *sha256)
+{
+    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->recorded.root, "sources");
+    if (strcmp(sha256, recorded_text(cJSON_GetArrayItem(sources, i), "sha256")) == 0)
+        return STATUS_DONE;
+    return refuse(r, "'%s' is not the file the run was made with: its SHA-256 differs", path);
+}
+
 /* Is a file number i of the first run's? */
 static enum status compare_source(const struct repeat *r, int i, const char *path, const char *text, size_t size)
 {
-    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->recorded.root, "sources");
     struct file_log log = {0};
     char sha256[FILE_HASH];
     file_hash_text(&log, text, size, sha256);
     file_log_free(&log);
-    if (strcmp(sha256, recorded_text(cJSON_GetArrayItem(sources, i), "sha256")) == 0)
-        return STATUS_DONE;
-    return refuse(r, "'%s' is not the file the run was made with: its SHA-256 differs", path);
+    return compare_hash(r, i, path, sha256);
 }
 
 /* The script itself, before anything is made of it: another one's errors would say nothing. */
@@ -167,7 +173,8 @@ static enum status compare_sources(const struct repeat *r, const char *script)
     if (status == STATUS_DONE)
         status = script_load(&now, script, &r->recorded.options);
     const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->recorded.root, "sources");
-    if (status == STATUS_DONE && now.scene->nsources != cJSON_GetArraySize(sources))
+    int nstates = r->recorded.options.start != NULL;
+    if (status == STATUS_DONE && now.scene->nsources + nstates != cJSON_GetArraySize(sources))
         status = refuse(r, "its script uses other files now");
     for (int i = 0; status == STATUS_DONE && i < now.scene->nsources; i++) {
         const struct scene_source *s = &now.scene->source[i];
@@ -175,6 +182,19 @@ static enum status compare_sources(const struct repeat *r, const char *script)
     }
     script_free(&now);
     return status;
+}
+
+/* Is the state the first run began from, the last of its sources, what it was? */
+static enum status compare_start(const struct repeat *r)
+{
+    const cJSON *sources = cJSON_GetObjectItemCaseSensitive(r->recorded.root, "sources");
+    const char *path = r->recorded.options.start;
+    char sha256[FILE_HASH];
+    if (!path)
+        return STATUS_DONE;
+    if (!file_hash_path(path, sha256))
+        return refuse(r, "the state '%s' that the run began from cannot be read: %s", path, strerror(errno));
+    return compare_hash(r, cJSON_GetArraySize(sources) - 1, path, sha256);
 }
 
 /* ---- the comparison ---- */
@@ -228,6 +248,8 @@ enum status repeat_run(const struct options *options)
         setenv("WEFT_PATH", recorded_text(recorded_command(&r.recorded), "weft_path"), 1);
     if (status == STATUS_DONE)
         status = compare_sources(&r, script);
+    if (status == STATUS_DONE)
+        status = compare_start(&r);
     if (status == STATUS_DONE) {
         compare_program(&r);
         status = run_again(&r, script);

@@ -208,7 +208,7 @@ static bool choose_seed(struct run *run, const struct fold_options *options, str
 static enum status open_checkpoint(struct run *run, struct fold_options *options)
 {
     const struct report report = run_report(run);
-    if (run->into && !run->of_sweep)
+    if (run->options->start || (run->into && !run->of_sweep))
         return STATUS_DONE;
     enum checkpoint_wish wish = run->of_sweep           ? CHECKPOINT_IF_IT_FITS
                                 : run->options->resume ? CHECKPOINT_MUST_FIT
@@ -222,7 +222,8 @@ static enum status open_checkpoint(struct run *run, struct fold_options *options
 /* Folds the scene's swatch and writes all its outputs. */
 static enum status fold_and_write(struct run *run)
 {
-    struct fold_options options = {.threads = run->options->threads};
+    const struct options *asked = run->options;
+    struct fold_options options = {.threads = asked->threads, .start = asked->start ? &run->state.start : NULL};
     const struct fold_observer observer = {run, on_step, on_progress};
     struct sheet *sheet = sheet_build(run->script.scene);
     bool written = outputs_chart(&run->outputs);
@@ -233,7 +234,7 @@ static enum status fold_and_write(struct run *run)
         sheet_free(sheet);
         return STATUS_FILES;
     }
-    run->progress = progress_begin(run->script.scene->solve.steps, run->options->quiet);
+    run->progress = progress_begin(asked->start ? 1 : run->script.scene->solve.steps, asked->quiet);
     struct fold_state *state = written ? fold_run(sheet, &options, &observer, &run->record) : NULL;
     progress_end(&run->progress);
 
@@ -270,6 +271,8 @@ enum status run_script(struct run *run, const char *path)
         note_sweep(run);
     if (status == STATUS_DONE)
         status = outputs_begin(&run->outputs, run->script.scene);
+    if (status == STATUS_DONE && run->options->start && !state_read(&run->state, run->options->start))
+        status = STATUS_FILES;
     if (status == STATUS_DONE && run->options->cached && cached_holds(run))
         return STATUS_DONE;
     if (status == STATUS_DONE && run->options->dry_run)
@@ -285,6 +288,7 @@ void run_free(struct run *run)
     seeds_free(&run->seeds);
     if (run->script.scene)
         outputs_end(&run->outputs);
+    state_free(&run->state);
     script_free(&run->script);
 }
 

@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/script.h"
 #include "cli/seeds.h"
+#include "cli/state.h"
 
 /* Begin with options and, where outputs go into a folder of their own rather
  * than where their paths say, into; a point of a
@@ -20,6 +21,7 @@ struct run {
 
     double                begun;        /* on progress_clock */
     struct script         script;
+    struct state          state;        /* that of options->start */
     struct outputs        outputs;      /* its log says what was written */
     struct progress       progress;
     struct seeds          seeds;        /* tried before the fold that is kept, if several were asked for */

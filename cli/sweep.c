@@ -23,6 +23,7 @@
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/script.h"
+#include "cli/sweep_plan.h"
 #include "cli/sweep_plot.h"
 #include "cli/sweep_table.h"
 #include "lang/names.h"
@@ -37,11 +38,13 @@ static int of_sweep_alone(const char *word)
     return strncmp(word, "-j", 2) == 0 || strcmp(word, "--print") == 0;
 }
 
-/* weft sweep FILE ... --point NUMBER -j THREADS, ended by NULL; operands may follow "--". */
-static const char **point_words(const struct options *o, int number, int threads, struct arena *arena)
+/* weft sweep FILE ... --point NUMBER [--walk FROM] -j THREADS, ended by NULL; operands may follow "--". */
+static const char **point_words(const struct options *o, int number, int from, int threads, struct arena *arena)
 {
-    const char *own[] = {"--point", arena_printf(arena, "%d", number), "-j", arena_printf(arena, "%d", threads)};
+    const char *own[] = {"--point", arena_printf(arena, "%d", number), "-j", arena_printf(arena, "%d", threads),
+                         "--walk", arena_printf(arena, "%d", from)};
     enum { OWN = sizeof own / sizeof *own };
+    int nown = from > 0 ? OWN : OWN - 2;
     const char **words = arena_array(arena, const char *, (size_t)o->argc + OWN + 1);
     int n = 0, i = 0;
     for (; i < o->argc && strcmp(o->argv[i], "--") != 0; i++) {
@@ -51,7 +54,7 @@ static const char **point_words(const struct options *o, int number, int threads
         else
             i += skipped - 1;
     }
-    for (int k = 0; k < OWN; k++)
+    for (int k = 0; k < nown; k++)
         words[n++] = own[k];
     for (; i < o->argc; i++)
         words[n++] = o->argv[i];
@@ -76,7 +79,7 @@ static enum status print_commands(const struct sweep *sweep)
 {
     for (int number = 1; number <= sweep->npoints; number++) {
         struct arena arena = {0};
-        const char **word = point_words(sweep->options, number, 1, &arena);
+        const char **word = point_words(sweep->options, number, 0, 1, &arena);
         for (int i = 0; word[i]; i++) {
             printf("%s", i > 0 ? " " : "");
             print_word(word[i]);
@@ -91,16 +94,16 @@ static enum status print_commands(const struct sweep *sweep)
 
 /* A point that is running. */
 struct worker {
-    pid_t process;      /* 0: none */
-    int   number;
+    pid_t              process;     /* 0: none */
+    struct sweep_fold *fold;
 };
 
 struct crew {
     const struct sweep *sweep;
     int                 nworkers, threads;
     struct worker      *worker;         /* (nworkers) */
-    int                 ntodo, *todo;   /* (ntodo) numbers of the points that are not done */
-    int                 before;         /* points that are */
+    struct sweep_plan   plan;
+    int                 before;         /* points that are done */
     bool                stuck;          /* files cannot be written: no more points */
     bool                told;           /* those that run are to stop */
     struct progress     progress;
@@ -132,11 +135,11 @@ static int open_log(const struct sweep_point *point, struct arena *arena)
     return open(arena_printf(arena, "%s/log.txt", point->folder), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
 }
 
-static void start(struct crew *crew, struct worker *worker, int number)
+static void start(struct crew *crew, struct worker *worker, struct sweep_fold *fold)
 {
     struct arena arena = {0};
-    struct sweep_point point = sweep_point(crew->sweep, number, &arena);
-    const char **words = point_words(crew->sweep->options, number, crew->threads, &arena);
+    struct sweep_point point = sweep_point(crew->sweep, fold->number, fold->from, &arena);
+    const char **words = point_words(crew->sweep->options, fold->number, fold->from, crew->threads, &arena);
     int log = open_log(&point, &arena);
     fflush(NULL);
     pid_t process = log >= 0 ? fork() : -1;
@@ -149,7 +152,7 @@ static void start(struct crew *crew, struct worker *worker, int number)
     }
     if (log >= 0)
         close(log);
-    *worker = (struct worker){process > 0 ? process : 0, number};
+    *worker = (struct worker){process > 0 ? process : 0, fold};
     arena_free(&arena);
 }
 
@@ -163,17 +166,17 @@ static const char *const endings[] = {
 };
 enum { NENDINGS = sizeof endings / sizeof *endings };
 
-static void say_end(struct crew *crew, int number, int how)
+static void say_end(struct crew *crew, const struct sweep_fold *fold, int how)
 {
     struct arena arena = {0};
-    struct sweep_point point = sweep_point(crew->sweep, number, &arena);
+    struct sweep_point point = sweep_point(crew->sweep, fold->number, fold->from, &arena);
     int status = WIFEXITED(how) ? WEXITSTATUS(how) : -1;
     const char *ending = status >= 0 && status < NENDINGS ? endings[status]
                          : arena_printf(&arena, "killed by signal %d", WTERMSIG(how));
     bool stopped = status == STATUS_FAILED && interrupt_asked();
     progress_point(&crew->progress,
-                   arena_printf(&arena, "[%d/%d] %s: %s", crew->before + crew->progress.done + 1, crew->sweep->npoints,
-                                point.name, stopped ? "stopped" : ending),
+                   arena_printf(&arena, "[%d/%d] %s: %s", crew->before + crew->progress.done + 1,
+                                crew->before + crew->progress.nsteps, point.name, stopped ? "stopped" : ending),
                    status != STATUS_DONE && !stopped);
     crew->stuck = crew->stuck || status == STATUS_FILES;
     arena_free(&arena);
@@ -192,6 +195,13 @@ static void tell_all(const struct crew *crew, int number)
     for (int i = 0; i < crew->nworkers; i++)
         if (crew->worker[i].process)
             kill(crew->worker[i].process, number);
+}
+
+/* Folds that are to be run, as far as is known: one at least for each point that is not done. */
+static int folds_known(const struct crew *crew)
+{
+    int points = crew->sweep->npoints - crew->before;
+    return crew->plan.nwanted > points ? crew->plan.nwanted : points;
 }
 
 /* Waits until one point ends; passes a wish to stop on to all of them. */
@@ -213,7 +223,9 @@ static void wait_for_one(struct crew *crew)
     for (int i = 0; i < crew->nworkers; i++)
         if (process > 0 && crew->worker[i].process == process) {
             crew->worker[i].process = 0;
-            say_end(crew, crew->worker[i].number, how);
+            say_end(crew, crew->worker[i].fold, how);
+            sweep_plan_look(&crew->plan, crew->worker[i].fold->number);
+            crew->progress.nsteps = folds_known(crew);
         }
 }
 
@@ -225,35 +237,21 @@ static struct worker *idle_worker(struct crew *crew)
     return NULL;
 }
 
-static void find_todo(struct crew *crew)
-{
-    for (int number = 1; number <= crew->sweep->npoints; number++) {
-        struct arena arena = {0};
-        struct sweep_point point = sweep_point(crew->sweep, number, &arena);
-        if (sweep_point_state(crew->sweep, &point) != SWEEP_DONE)
-            crew->todo[crew->ntodo++] = number;
-        arena_free(&arena);
-    }
-    crew->before = crew->sweep->npoints - crew->ntodo;
-    if (crew->before > 0 && !crew->sweep->options->quiet)
-        printf("%d of %d points were done before\n", crew->before, crew->sweep->npoints);
-}
-
 static void run_points(struct crew *crew)
 {
     sigset_t ended, before;
     sigemptyset(&ended);
     sigaddset(&ended, SIGCHLD);
     sigprocmask(SIG_BLOCK, &ended, &before);
-    crew->progress = progress_begin(crew->ntodo, crew->sweep->options->quiet);
-    for (int i = 0; i < crew->ntodo && !crew->stuck; i++) {
-        while (!idle_worker(crew))
+    crew->progress = progress_begin(folds_known(crew), crew->sweep->options->quiet);
+    do {
+        struct worker *worker;
+        struct sweep_fold *fold;
+        while (!interrupt_asked() && !crew->stuck && (worker = idle_worker(crew)) && (fold = sweep_plan_next(&crew->plan)))
+            start(crew, worker, fold);
+        if (busy_workers(crew) > 0)
             wait_for_one(crew);
-        if (!interrupt_asked() && !crew->stuck)
-            start(crew, idle_worker(crew), crew->todo[i]);
-    }
-    while (busy_workers(crew) > 0)
-        wait_for_one(crew);
+    } while (busy_workers(crew) > 0 || (crew->plan.next && !interrupt_asked() && !crew->stuck));
     progress_end(&crew->progress);
     sigprocmask(SIG_SETMASK, &before, NULL);
 }
@@ -270,9 +268,16 @@ static void print_count(const struct sweep *sweep, const struct sweep_count *cou
     printf("\n");
 }
 
-static enum status collect(const struct sweep *sweep, const struct scene *scene)
+static enum status collect(const struct sweep *whole, const struct scene *scene)
 {
     struct arena arena = {0};
+    struct sweep kept = *whole;
+    const struct sweep *sweep = &kept;
+    struct sweep_plan plan;
+    if (whole->options->warm) {
+        sweep_plan_begin(&plan, whole, true);
+        kept.from = plan.from;
+    }
     struct file_log log = {0};
     struct sweep_count count;
     const char **table = arena_array(&arena, const char *, (size_t)scene->noutputs + 1);
@@ -288,6 +293,8 @@ static enum status collect(const struct sweep *sweep, const struct scene *scene)
         fprintf(stderr, "weft: %s\n", log.error);
     else if (!sweep->options->quiet)
         print_count(sweep, &count, &log);
+    if (whole->options->warm)
+        sweep_plan_free(&plan);
     file_log_free(&log);
     arena_free(&arena);
     return !written ? STATUS_FILES : count.good == sweep->npoints ? STATUS_DONE : STATUS_FAILED;
@@ -299,14 +306,16 @@ static enum status run_all(const struct sweep *sweep, const struct scene *scene)
     struct crew crew = {.sweep = sweep, .nworkers = wanted ? wanted : processors > 0 ? processors : 1};
     crew.threads = processors > crew.nworkers ? processors / crew.nworkers : 1;
     crew.worker = calloc((size_t)crew.nworkers, sizeof *crew.worker);
-    crew.todo = calloc((size_t)sweep->npoints, sizeof *crew.todo);
-    if (!crew.worker || !crew.todo)
+    if (!crew.worker)
         return STATUS_FAILED;
     interrupt_ask_first();
-    find_todo(&crew);
+    sweep_plan_begin(&crew.plan, sweep, false);
+    crew.before = sweep_plan_done(&crew.plan);
+    if (crew.before > 0 && !sweep->options->quiet)
+        printf("%d of %d points were done before\n", crew.before, sweep->npoints);
     run_points(&crew);
+    sweep_plan_free(&crew.plan);
     free(crew.worker);
-    free(crew.todo);
     enum status status = collect(sweep, scene);
     if (interrupt_asked())
         fprintf(stderr, "weft: stopped; the same command goes on with the points that are missing\n");
@@ -343,6 +352,11 @@ static enum status run_sweep(const struct sweep *sweep, const struct scene *scen
     const char *twice = set_twice(sweep);
     if (twice)
         return options_wrong(o, "-D %s: the sweep of %s sets this param; `weft run` takes one value of it", twice, sweep->script);
+    if (o->warm && (o->print || o->seeds > 1))
+        return options_wrong(o, o->print ? "--warm: a point waits for its neighbours; --print lists commands that run in any order"
+                                         : "--warm: a point with a neighbour to begin at has no use for --seeds");
+    if (o->walk && !(o->warm && o->walk < o->point && (o->walk - 1) / sweep_chain(sweep) == (o->point - 1) / sweep_chain(sweep)))
+        return options_wrong(o, "--walk goes with --warm and a later --point that differs in the last param alone");
     if (o->print + o->collect + (o->point > 0) > 1)
         return options_wrong(o, "of --print, --point and --collect a sweep takes one at a time");
     for (int i = 0; i < scene->noutputs; i++)
@@ -355,7 +369,7 @@ static enum status run_sweep(const struct sweep *sweep, const struct scene *scen
         fprintf(stderr, "weft: the folder '%s' cannot be made: %s\n", sweep->folder, strerror(errno));
         return STATUS_FILES;
     }
-    return o->collect ? collect(sweep, scene) : o->point ? sweep_point_run(sweep, o->point) : run_all(sweep, scene);
+    return o->collect ? collect(sweep, scene) : o->point ? sweep_point_run(sweep, o->point, o->walk) : run_all(sweep, scene);
 }
 
 enum status command_sweep(const struct options *options)
@@ -371,7 +385,7 @@ enum status command_sweep(const struct options *options)
         status = STATUS_SCRIPT;
     }
     if (status == STATUS_DONE) {
-        struct sweep sweep = {options, path, sweep_folder(options, path, &arena), script.scene, script.scene->naxes, script.scene->axis, 1};
+        struct sweep sweep = {options, path, sweep_folder(options, path, &arena), script.scene, script.scene->naxes, script.scene->axis, 1, NULL};
         for (int i = 0; i < sweep.naxes; i++)
             sweep.npoints *= sweep.axis[i].npoints;
         status = run_sweep(&sweep, script.scene);

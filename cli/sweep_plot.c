@@ -67,7 +67,7 @@ static double *read_values(const struct sweep *sweep, const char *field, struct 
     double *value = arena_array(arena, double, (size_t)sweep->npoints);
     for (int i = 0; i < sweep->npoints; i++) {
         struct arena own = {0};
-        struct sweep_point point = sweep_point(sweep, i + 1, &own);
+        struct sweep_point point = sweep_point_kept(sweep, i + 1, &own);
         cJSON *report = sweep_table_report(sweep, &point, &own);
         value[i] = sweep_table_converged(report) ? sweep_table_number(report, field) : NAN;
         cJSON_Delete(report);

@@ -6,6 +6,7 @@
 #include "cli/sweep_point.h"
 
 #include <ftw.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,10 +16,17 @@
 #include "cli/run.h"
 #include "output/chart.h"
 #include "output/json.h"
+#include "solver/sheet.h"
 
 /* ---- what a point is ---- */
 
-struct sweep_point sweep_point(const struct sweep *sweep, int number, struct arena *arena)
+int sweep_chain(const struct sweep *sweep)
+{
+    return sweep->options->warm ? sweep->axis[sweep->naxes - 1].npoints : 1;
+}
+
+/* The point, whichever fold of it. */
+static struct sweep_point any_fold(const struct sweep *sweep, int number, struct arena *arena)
 {
     struct sweep_point point = {.number = number, .value = arena_array(arena, const char *, (size_t)sweep->naxes)};
     int width = snprintf(NULL, 0, "%d", sweep->npoints), rest = number - 1;
@@ -29,8 +37,32 @@ struct sweep_point sweep_point(const struct sweep *sweep, int number, struct are
     point.name = arena_printf(arena, "%0*d", width, number);
     for (int i = 0; i < sweep->naxes; i++)
         point.name = arena_printf(arena, "%s-%s=%s", point.name, sweep->axis[i].param, point.value[i]);
+    return point;
+}
+
+struct sweep_point sweep_point(const struct sweep *sweep, int number, int from, struct arena *arena)
+{
+    struct sweep_point point = any_fold(sweep, number, arena);
+    point.from = from;
+    if (from > 0) {
+        point.name = arena_printf(arena, "%s-from-%d", point.name, from);
+        point.start = any_fold(sweep, number - 1, arena).name;
+    }
+    if (from > 0 && from < number - 1)
+        point.start = arena_printf(arena, "%s-from-%d", point.start, from);
     point.folder = arena_printf(arena, "%s/%s", sweep->folder, point.name);
     return point;
+}
+
+struct sweep_point sweep_point_kept(const struct sweep *sweep, int number, struct arena *arena)
+{
+    return sweep_point(sweep, number, sweep->from ? sweep->from[number - 1] : 0, arena);
+}
+
+/* The state a fold begins from, or NULL. */
+static const char *start_of(const struct sweep *sweep, const struct sweep_point *point, struct arena *arena)
+{
+    return point->start ? arena_printf(arena, "%s/%s/" SWEEP_STATE, sweep->folder, point->start) : NULL;
 }
 
 /* The name of the option that sets a block's key. */
@@ -51,7 +83,7 @@ static void add_words(const char **word, int *n, const char *option, const char 
 /* The words of a plain run with those of the options that its outputs follow from: what the point's manifest says. */
 static char **run_words(const struct options *o, const char *script, struct arena *arena, int *n)
 {
-    int room = 5 + 2 * (o->ndefines + o->nsets + o->nincludes + o->noutputs);
+    int room = 7 + 2 * (o->ndefines + o->nsets + o->nincludes + o->noutputs);
     const char **word = arena_array(arena, const char *, (size_t)room);
     *n = 0;
     word[(*n)++] = o->argv[0];
@@ -66,6 +98,8 @@ static char **run_words(const struct options *o, const char *script, struct aren
         add_words(word, n, "-o", o->output[i]);
     if (o->seeds > 0)
         add_words(word, n, "--seeds", arena_printf(arena, "%d", o->seeds));
+    if (o->start)
+        add_words(word, n, "--start", o->start);
     return (char **)word;
 }
 
@@ -78,10 +112,13 @@ static struct options point_options(const struct sweep *sweep, const struct swee
         memcpy(o.define, sweep->options->define, sizeof *o.define * (size_t)o.ndefines);
     for (int i = 0; i < sweep->naxes; i++)
         o.define[o.ndefines++] = (struct compile_override){sweep->axis[i].param, point->value[i]};
-    o.output = arena_array(arena, const char *, (size_t)o.noutputs + 1);
+    o.output = arena_array(arena, const char *, (size_t)o.noutputs + 2);
     if (o.noutputs > 0)
         memcpy(o.output, sweep->options->output, sizeof *o.output * (size_t)o.noutputs);
     o.output[o.noutputs++] = "report:" SWEEP_REPORT;
+    if (o.warm)
+        o.output[o.noutputs++] = "state:" SWEEP_STATE;
+    o.start = start_of(sweep, point, arena);
     o.argv = run_words(&o, sweep->script, arena, &o.argc);
     return o;
 }
@@ -107,10 +144,19 @@ static void hash_settings(struct file *hasher, const struct scene *scene)
     }
 }
 
-static struct file *hash_begin(struct file_log *log, const struct sweep *sweep)
+/* Version and seeds; with --warm, too, the state that is begun from as it stands there now. */
+static struct file *hash_begin(struct file_log *log, const struct sweep *sweep, const struct sweep_point *point)
 {
+    struct arena arena = {0};
     struct file *hasher = file_hasher(log);
+    const char *start = start_of(sweep, point, &arena);
+    char sha256[FILE_HASH] = "flat";
     file_print(hasher, "%s %d\n", VERSION, sweep->options->seeds);
+    if (start && !file_hash_path(start, sha256))
+        sha256[0] = '\0';
+    if (sweep->options->warm)
+        hash_text(hasher, sha256);
+    arena_free(&arena);
     return hasher;
 }
 
@@ -119,7 +165,7 @@ static struct file *hash_begin(struct file_log *log, const struct sweep *sweep)
 static void words_key(const struct sweep *sweep, const struct sweep_point *point, char key[FILE_HASH])
 {
     struct file_log log = {0};
-    struct file *hasher = hash_begin(&log, sweep);
+    struct file *hasher = hash_begin(&log, sweep, point);
     const struct scene *scene = sweep->scene;
     for (int i = 0; i < scene->nsources; i++)
         file_write(hasher, scene->source[i].text, scene->source[i].size + 1);
@@ -134,10 +180,10 @@ static void words_key(const struct sweep *sweep, const struct sweep_point *point
 
 /* SHA-256 of what the words mean at the point, but for what is made of all
  * points: a comment or another plot of the sweep changes nothing. */
-static void scene_key(const struct sweep *sweep, const struct scene *scene, char key[FILE_HASH])
+static void scene_key(const struct sweep *sweep, const struct sweep_point *point, const struct scene *scene, char key[FILE_HASH])
 {
     struct file_log log = {0};
-    struct file *hasher = hash_begin(&log, sweep);
+    struct file *hasher = hash_begin(&log, sweep, point);
     chart_grid(hasher, scene);
     hash_settings(hasher, scene);
     for (const struct stitch *s = scene->stitch; s < scene->stitch + scene->nstitches; s++) {
@@ -178,10 +224,22 @@ static bool means_the_same(const struct sweep *sweep, const struct sweep_point *
     char key[FILE_HASH] = "";
     options.quiet = true;
     if (script_load(&script, sweep->script, &options) == STATUS_DONE)
-        scene_key(sweep, script.scene, key);
+        scene_key(sweep, point, script.scene, key);
     script_free(&script);
     arena_free(&arena);
     return *key && has_text(record, "scene", key);
+}
+
+/* Is the state it left, if it left one, still what it was? */
+static bool state_stands(const struct sweep_point *point, const cJSON *record)
+{
+    struct arena arena = {0};
+    char sha256[FILE_HASH] = "";
+    bool left = cJSON_HasObjectItem(record, "state");
+    if (left)
+        file_hash_path(arena_printf(&arena, "%s/" SWEEP_STATE, point->folder), sha256);
+    arena_free(&arena);
+    return !left || has_text(record, "state", sha256);
 }
 
 enum sweep_state sweep_point_state(const struct sweep *sweep, const struct sweep_point *point)
@@ -191,18 +249,56 @@ enum sweep_state sweep_point_state(const struct sweep *sweep, const struct sweep
     cJSON *record = sweep_point_json(point, SWEEP_RECORD, &arena);
     bool report = access(arena_printf(&arena, "%s/" SWEEP_REPORT, point->folder), R_OK) == 0;
     words_key(sweep, point, key);
-    enum sweep_state state = !record                                                    ? SWEEP_MISSING
+    enum sweep_state state = !record || point->from < 0                                                   ? SWEEP_MISSING
                              : has_text(record, "words", key)                           ? SWEEP_DONE
                              : report && cJSON_HasObjectItem(record, "scene") &&
                                        means_the_same(sweep, point, record)             ? SWEEP_DONE
                                                                                         : SWEEP_STALE;
     if (state == SWEEP_DONE && has_text(record, "status", SWEEP_ERROR_STATUS))
         state = SWEEP_ERROR;
-    else if (state == SWEEP_DONE && !report)
+    else if (state == SWEEP_DONE && !(report && state_stands(point, record)))
         state = SWEEP_MISSING;
     cJSON_Delete(record);
     arena_free(&arena);
     return state;
+}
+
+/* ---- there and back ---- */
+
+static const double RETURNED = 1e-6;    /* of the energy: a level that is refined further is not minimised to the end */
+
+/* The energy of the scene's sheet from a state, on the level it grows on; NAN where there is no minimum. */
+static double coarse_energy(const struct scene *scene, const struct fold_start *start, int threads)
+{
+    struct fold_options options = {.threads = threads, .start = start, .coarse = true};
+    struct fold_record record;
+    struct sheet *sheet = sheet_build(scene);
+    fold_free(fold_run(sheet, &options, NULL, &record));
+    bool minimum = record.status == FOLD_CONVERGED || record.status == FOLD_PRECISION;
+    double energy = minimum ? record.energy.total : NAN;
+    fold_record_free(&record);
+    sheet_free(sheet);
+    return energy;
+}
+
+/* Does the state that a fold came to lead its neighbour back to the one it began from?  If not, that shape came to
+ * its end on the way, and the fabric snapped into another. */
+static bool leads_back(const struct sweep *sweep, const struct sweep_point *point, const struct fold_start *from)
+{
+    struct arena arena = {0};
+    struct sweep_point before = any_fold(sweep, point->number - 1, &arena);
+    struct options options = point_options(sweep, &before, &arena);
+    struct state here = {0};
+    struct script script = {0};
+    double energy = NAN;
+    options.quiet = true;
+    if (state_read(&here, arena_printf(&arena, "%s/" SWEEP_STATE, point->folder)) &&
+        script_load(&script, sweep->script, &options) == STATUS_DONE)
+        energy = coarse_energy(script.scene, &here.start, options.threads);
+    script_free(&script);
+    state_free(&here);
+    arena_free(&arena);
+    return fabs(energy - from->energy) <= RETURNED * fabs(from->energy);
 }
 
 /* ---- the run ---- */
@@ -219,8 +315,13 @@ static cJSON *describe(const struct sweep *sweep, const struct sweep_point *poin
     json_text(root, "status", folded ? fold_status_name(run->record.status) : SWEEP_ERROR_STATUS);
     words_key(sweep, point, key);
     json_text(root, "words", key);
+    const struct file_entry *state = file_log_find(&run->outputs.log, SWEEP_STATE);
+    if (state)
+        json_text(root, "state", state->sha256);
+    if (state && point->start)
+        cJSON_AddBoolToObject(root, SWEEP_BACK, leads_back(sweep, point, &run->state.start));
     if (folded) {
-        scene_key(sweep, run->script.scene, key);
+        scene_key(sweep, point, run->script.scene, key);
         json_text(root, "scene", key);
     }
     return root;
@@ -253,11 +354,11 @@ static int tidy(const char *path, const struct stat *status, int type, struct FT
     return 0;
 }
 
-enum status sweep_point_run(const struct sweep *sweep, int number)
+enum status sweep_point_run(const struct sweep *sweep, int number, int from)
 {
     enum { FOLDERS_OPEN = 8 };
     struct arena arena = {0};
-    struct sweep_point point = sweep_point(sweep, number, &arena);
+    struct sweep_point point = sweep_point(sweep, number, from, &arena);
     struct options options = point_options(sweep, &point, &arena);
     struct run run = {.options = &options, .into = point.folder, .of_sweep = true};
     enum status status = STATUS_DONE;

@@ -58,11 +58,25 @@ static const char *state_word(enum sweep_state state)
     return state == SWEEP_ERROR ? SWEEP_ERROR_STATUS : "missing";
 }
 
+/* Where the fold of a sweep with --warm began. */
+static const char *start_word(const struct sweep_point *point)
+{
+    return point->from < 0 ? "" : point->start ? point->start : "flat";
+}
+
+/* Is it the fold from the flat sheet? */
+static bool is_checked(const struct sweep_point *point)
+{
+    return point->from == 0;
+}
+
 static void print_header(const struct sweep *sweep, struct file *csv)
 {
     file_print(csv, "point");
     for (int i = 0; i < sweep->naxes; i++)
         file_print(csv, ",%s", sweep->axis[i].param);
+    if (sweep->options->warm)
+        file_print(csv, ",start,checked");
     for (int i = 0; i < NFIELDS; i++)
         file_print(csv, ",%s", fields[i]);
     file_print(csv, "\n");
@@ -84,6 +98,8 @@ static void print_row(const struct sweep *sweep, const struct sweep_point *point
     file_print(csv, "%d", point->number);
     for (int i = 0; i < sweep->naxes; i++)
         file_print(csv, ",%s", point->value[i]);
+    if (sweep->options->warm)
+        file_print(csv, ",%s,%s", start_word(point), is_checked(point) ? "true" : "false");
     if (!report)
         file_print(csv, ",%s", state_word(state));
     for (int i = report ? 0 : 1; i < NFIELDS; i++)
@@ -100,6 +116,10 @@ static void print_line(const struct sweep *sweep, const struct sweep_point *poin
     params = cJSON_AddObjectToObject(line, "params");
     for (int i = 0; i < sweep->naxes; i++)
         json_number(params, sweep->axis[i].param, strtod(point->value[i], NULL));
+    if (sweep->options->warm) {
+        json_text(line, "start", start_word(point));
+        cJSON_AddBoolToObject(line, "checked", is_checked(point));
+    }
     json_text(line, "status", report ? status_of(report) : state_word(state));
     report_keep_lasting(report);
     if (report)
@@ -140,7 +160,7 @@ static void print_points(const struct sweep *sweep, struct file *const *csv, int
 {
     for (int number = 1; number <= sweep->npoints; number++) {
         struct arena arena = {0};
-        struct sweep_point point = sweep_point(sweep, number, &arena);
+        struct sweep_point point = sweep_point_kept(sweep, number, &arena);
         enum sweep_state state = sweep_point_state(sweep, &point);
         cJSON *report = state == SWEEP_DONE ? sweep_point_json(&point, SWEEP_REPORT, &arena) : NULL;
         for (int i = 0; i < ncsv; i++)

@@ -57,6 +57,7 @@ _weft_value() {
         -D) compopt -o nospace 2>/dev/null; _weft_words "$(_weft_params "$3")" "$2" ;;
         -I) compopt -o filenames 2>/dev/null; mapfile -t COMPREPLY < <(compgen -d -- "$2") ;;
         -o) _weft_files '' "$2" ;;
+        --start) _weft_files state "$2" ;;
         -j | --accuracy | --steps | --seed | --seeds | --key) ;;
         *) return 1 ;;
     esac

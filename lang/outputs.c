@@ -28,6 +28,7 @@ static const struct kind {
     [OUTPUT_STL] = {"stl", {"stl"}},
     [OUTPUT_GLB] = {"glb", {"glb"}},
     [OUTPUT_HTML] = {"html", {"html"}},
+    [OUTPUT_STATE] = {"state", {"state"}},
 };
 
 /* The kind of an extension that says nothing else. */
@@ -38,7 +39,7 @@ static const struct {
     {"json", OUTPUT_REPORT}, {"txt", OUTPUT_CHART},   {"k", OUTPUT_CHART},     {"csv", OUTPUT_TABLE},
     {"svg", OUTPUT_PICTURE}, {"png", OUTPUT_PICTURE}, {"pdf", OUTPUT_PICTURE}, {"pvd", OUTPUT_PVD},
     {"vtp", OUTPUT_VTP},     {"obj", OUTPUT_OBJ},     {"ply", OUTPUT_PLY},     {"stl", OUTPUT_STL},
-    {"glb", OUTPUT_GLB},     {"html", OUTPUT_HTML},
+    {"glb", OUTPUT_GLB},     {"html", OUTPUT_HTML},   {"state", OUTPUT_STATE},
 };
 
 const char *output_kind_name(enum output_kind kind)
@@ -77,7 +78,7 @@ static bool kind_of_extension(struct eval *eval, struct span span, const char *p
     else
         diag_error(eval->diag, CODE_OUTPUT, span, "'%s' has no extension that says what it is", path);
     diag_hint(eval->diag,
-              "surfaces: .pvd .vtp .obj .ply .stl .glb; others: .json .csv .txt .svg .png .pdf .html");
+              "surfaces: .pvd .vtp .obj .ply .stl .glb; others: .json .csv .txt .svg .png .pdf .html .state");
     return false;
 }
 

@@ -131,6 +131,12 @@ static bool append_step(struct fold *fold, const struct fold_step *step)
     return !o || !o->step || o->step(o->self, step, fold->state);
 }
 
+/* A fold that begins elsewhere has but the last. */
+static int growth_steps(const struct fold *fold)
+{
+    return fold->options->start ? 1 : fold->sheet->solve.steps;
+}
+
 /* The state as it is now is a step. */
 static bool record_step(struct fold *fold, int iterations)
 {
@@ -144,6 +150,12 @@ struct fold_mark fold_mark(const struct fold_step *step, const struct fold_state
 {
     return (struct fold_mark){*step, state->effort->iterations, state->effort->evaluations,
                               state->effort->factorisations, state->d->n, state->x};
+}
+
+struct fold_start fold_start(const struct fold_state *state)
+{
+    const struct sheet *sheet = state->d->sheet;
+    return (struct fold_start){sheet->columns, sheet->rows, state->grown_energy, state->ngrown, state->grown};
 }
 
 static void record_shape(struct fold *fold)
@@ -189,8 +201,19 @@ static enum fold_status status_of(const struct fold *fold, struct descent end)
     }
 }
 
+/* A start of this sheet's stitches and unknowns, or none. */
+static bool start_fits(const struct fold *fold)
+{
+    const struct fold_start *start = fold->options->start;
+    const struct sheet *sheet = fold->sheet;
+    return !start || fold->state->grown ||
+           (start->columns == sheet->columns && start->rows == sheet->rows && start->n == fold->state->d->n);
+}
+
 static const char *remark_of(const struct fold *fold, struct descent end)
 {
+    if (!start_fits(fold))
+        return "the state to start from is of a flat sheet, or of another number of stitches or another mesh";
     if (doubt_of(fold))
         return doubt_of(fold);
     switch (end.outcome) {
@@ -219,7 +242,7 @@ static void finish_record(struct fold *fold, struct descent end)
     record->status = status_of(fold, end);
     record->remark = remark_of(fold, end);
     record->method = method_name(fold->sheet->solve.method);
-    record->growth_steps = fold->sheet->solve.steps;
+    record->growth_steps = growth_steps(fold);
     record->iterations = effort->iterations;
     record->evaluations = effort->evaluations;
     record->factorisations = effort->factorisations;
@@ -264,7 +287,8 @@ static bool replay(struct fold *fold)
     return true;
 }
 
-/* The flat sheet; then, where noise may break its symmetry, bent to the stripes it has; or all that was grown before. */
+/* The flat sheet; then the start there is, or, where noise may break its symmetry, bent to the stripes it has; or all
+ * that was grown before. */
 static bool begin_growth(struct fold *fold)
 {
     if (fold->options->nmarks > 0)
@@ -273,7 +297,10 @@ static bool begin_growth(struct fold *fold)
     if (!record_step(fold, 0))
         return false;
     const struct solve *solve = &fold->sheet->solve;
-    if (solve->method != METHOD_LBFGS && solve->noise > 0)
+    const struct fold_start *start = fold->options->start;
+    if (start)
+        memcpy(fold->state->x, start->x, (size_t)start->n * sizeof *start->x);
+    else if (solve->method != METHOD_LBFGS && solve->noise > 0)
         stripes_bend(fold->state->d, 1.0 / solve->steps, fold->state->x);
     return true;
 }
@@ -282,10 +309,12 @@ static bool begin_growth(struct fold *fold)
 static enum outcome grow(struct fold *fold)
 {
     const struct solve *solve = &fold->sheet->solve;
+    if (!start_fits(fold))
+        return OUTCOME_FAILED;
     if (!begin_growth(fold))
         return OUTCOME_STOPPED;
     fold->problem.tolerance = tolerance_of(fold, GROWING);
-    for (int step = fold->record->nsteps + 1; step < solve->steps; step++) {
+    for (int step = fold->record->nsteps + 1; step < growth_steps(fold); step++) {
         int before = fold->effort.iterations;
         fold->problem.growth = fold->state->growth = (double)step / solve->steps;
         enum outcome outcome = descent_settle(&fold->problem, solve->method, fold->state->x);
@@ -336,6 +365,18 @@ static bool fine_enough(const struct fold *fold)
     return (error >= 0 && error <= sheet->solve.accuracy) || d->n > LEVELS_MOST_UNKNOWNS / 4;
 }
 
+/* Keeps where the fold is on the level it grew on, once it is there. */
+static void keep_grown(struct fold *fold)
+{
+    struct fold_state *state = fold->state;
+    if (state->grown)
+        return;
+    state->grown_energy = fold->problem.energy.total * fold->sheet->young;
+    state->ngrown = state->d->n;
+    state->grown = MEMORY_ARRAY(double, state->ngrown);
+    memcpy(state->grown, state->x, (size_t)state->ngrown * sizeof *state->grown);
+}
+
 /* One level at the full curvature; true when it is the last. */
 static bool settle_level(struct fold *fold, struct descent *end)
 {
@@ -344,7 +385,8 @@ static bool settle_level(struct fold *fold, struct descent *end)
     fold->problem.tolerance = tolerance_of(fold, passing ? COARSE : 0);
     *end = descent_to_minimum(&fold->problem, fold->sheet->solve.method, fold->state->x);
     fold->pushes += end->pushes;
-    if (!may_go_on(end->outcome) || (!passing && !end->minimum))
+    keep_grown(fold);
+    if (fold->options->coarse || !may_go_on(end->outcome) || (!passing && !end->minimum))
         return true;
     bool ahead = !passing && d->op->restrict_gradient;
     if (!passing && !ahead) {
@@ -450,6 +492,7 @@ void fold_free(struct fold_state *state)
         return;
     state->d->op->free(state->d);
     free(state->x);
+    free(state->grown);
     free(state);
 }
 

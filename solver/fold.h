@@ -30,10 +30,20 @@ struct fold_mark {
     const double    *x;                 /* (n) unknowns of the level the sheet grows on */
 };
 
+/* Where another fold of as many stitches may begin instead of growing. */
+struct fold_start {
+    int           columns, rows;        /* of stitches */
+    double        energy;               /* there, on the level the sheet grows on, at the full curvature */
+    int           n;                    /* 0: nowhere, the sheet has no curvature */
+    const double *x;                    /* (n) unknowns of that level */
+};
+
 struct fold_options {
     int  threads;           /* 0 = all processors */
     int  nmarks;            /* steps that a fold of the same sheet came to; it goes on after the last */
     const struct fold_mark *mark;       /* (nmarks), the first at growth 0; shown to the observer as if new */
+    const struct fold_start *start;     /* where to begin, NULL: grow; the fold fails if it is of another mesh */
+    bool coarse;            /* end on the level the sheet grows on */
     long most_factored;     /* unknowns beyond which Newton's steps are found by conjugate gradients; 0 = FOLD_MOST_FACTORED */
 };
 
@@ -51,6 +61,9 @@ void fold_free(struct fold_state *state);
 
 /* What to keep of a step, in an observer's call; x is the state's own. */
 struct fold_mark fold_mark(const struct fold_step *step, const struct fold_state *state);
+
+/* Where the fold was on the level it grew on; x is the state's own. */
+struct fold_start fold_start(const struct fold_state *state);
 
 /* Samples a state into a surface made for the same stitches, at any per_stitch. */
 void fold_sample(const struct fold_state *state, struct surface *surface);

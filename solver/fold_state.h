@@ -12,6 +12,9 @@ struct fold_state {
     struct discretisation *d;
     double                *x;           /* (n) */
     double                 growth;
+    int                    ngrown;
+    double                *grown;       /* (ngrown) x of the level the sheet grew on, at the full curvature; NULL: not there yet */
+    double                 grown_energy;
     const struct effort   *effort;      /* of the fold so far, while it runs */
 };
 

@@ -479,6 +479,45 @@ static void iteration_limit_is_honest(void **state)
     }
 }
 
+/* A fold begins where another ended, and ends where it would have had it grown; there and back on the coarse level. */
+static void starts_where_another_ended(void **state)
+{
+    (void)state;
+    struct sheet *near = sheet_of(RIB), *here = sheet_of(RIB), *wider = scene_sheet(9, 8, rib);
+    struct fold_options options = {.threads = 1}, coarse = {.threads = 1, .coarse = true};
+    struct fold_record first, record, back;
+    here->thickness = 0.45;
+    struct fold_record grown = folded(here);
+    struct fold_state *left = fold_run(near, &options, NULL, &first), *came;
+    const struct fold_start start = fold_start(left);
+    options.start = &start;
+    came = fold_run(here, &options, NULL, &record);
+    assert_int_equal(record.status, FOLD_CONVERGED);
+    assert_float_equal(record.energy.total, grown.energy.total, 1e-9 * grown.energy.total);
+    assert_true(record.iterations < grown.iterations);
+    assert_int_equal(record.growth_steps, 1);
+    assert_int_equal(record.nsteps, 1);
+    fold_record_free(&record);
+
+    const struct fold_start there = fold_start(came);
+    coarse.start = &there;
+    fold_free(fold_run(near, &coarse, NULL, &back));
+    assert_float_equal(back.energy.total, start.energy, 1e-6 * start.energy);
+    assert_true(back.energy.total != first.energy.total);
+    fold_record_free(&back);
+
+    fold_free(fold_run(wider, &options, NULL, &record));
+    assert_int_equal(record.status, FOLD_FAILED);
+    assert_non_null(strstr(record.remark, "start"));
+    fold_record_free(&record);
+    fold_record_free(&first);
+    fold_free(left);
+    fold_free(came);
+    sheet_free(near);
+    sheet_free(here);
+    sheet_free(wider);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -499,6 +538,7 @@ int main(void)
         cmocka_unit_test(young_scales_the_energy),
         cmocka_unit_test(odd_sheets_end),
         cmocka_unit_test(observer_sees_growth),
+        cmocka_unit_test(starts_where_another_ended),
         cmocka_unit_test(iteration_limit_is_honest),
     };
     return cmocka_run_group_tests_name("fold", tests, make_swatches, free_swatches);
