@@ -132,6 +132,7 @@ struct eval {
     int                 depth, calls, written_rows;
     struct span         refused;        /* the line of a stitch that was refused last */
     bool                exhausted;      /* a limit of time was reported */
+    bool                moss;           /* that 'moss' stitches are taken as seed was said */
     const char         *word_K, *word_P, *word_pi;
     const char        **function;       /* names of the built-in functions, in their table's order */
 };

@@ -98,6 +98,16 @@ static bool lower_stitch(struct eval *eval, struct where where, const struct ite
     return true;
 }
 
+/* `k2, moss, k3`: of a fabric a number of stitches is needed. */
+static bool says_how_many(struct eval *eval, struct where where, const struct item *item, const struct work *work, bool bare)
+{
+    if (!bare || work->run[work->nruns - 1].stitch < STITCH_REVERSE)
+        return true;
+    diag_error(eval->diag, CODE_ROW_REPEAT, item_span(where.module->source, item), "over how many stitches this fabric is worked is not said");
+    diag_hint(eval->diag, "`moss 5`, or `moss to last 3 sts`");
+    return false;
+}
+
 /* Plain stitches that follow each other are one piece of work. Moves to the last
  * of them. A bare `k` that is the whole row fills it. */
 static bool lower_plain(struct eval *eval, struct where where, const struct item **item, bool alone, struct work **to)
@@ -115,7 +125,7 @@ static bool lower_plain(struct eval *eval, struct where where, const struct item
     for (const struct item *stitch = first; stitch != last->next; stitch = stitch->next) {
         if (!count_item(eval, where, stitch))
             return false;
-        good &= lower_stitch(eval, where, stitch, work, &bare);
+        good &= lower_stitch(eval, where, stitch, work, &bare) && (alone || says_how_many(eval, where, stitch, work, bare));
     }
     if (alone && bare)
         work->until = WORK_FIT;

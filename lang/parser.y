@@ -474,6 +474,8 @@ item:
 | AS_BELOW                              { $$ = item_below(parse, @$, $1, (struct until){UNTIL_FIT, NULL, @1}); }
 | AS_BELOW position                     { $$ = item_below(parse, @$, $1, $position); }
 | NAME position                         { $$ = item_stitch(parse, @$, $1, NULL, $position); }
+| FABRIC count sts                      { $$ = syntax_fabric_stitches(parse, @$, $FABRIC, $count, (struct until){.span = @1}); }
+| FABRIC position                       { $$ = syntax_fabric_stitches(parse, @$, $FABRIC, NULL, $position); }
 | NAME TWICE                            { $$ = item_stitch(parse, @$, $1, NULL, (struct until){UNTIL_TIMES, expr_number(parse, @2, $2.value, 0), @2}); }
 | NAME STS                              { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
 | NAME NUMBER sts                       { $$ = item_stitches(parse, @$, $1, @2, $2.value); }

@@ -6,7 +6,7 @@
 #include <ctype.h>
 #include <string.h>
 
-enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE };
+enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE, RIBS };
 enum { WORDS = 64, LONGEST = 100 };
 
 /* Each with the word and what it is. */
@@ -23,6 +23,7 @@ static const struct {
     [MARKERS] = {CODE_ELSEWHERE, "'%s' (%s): where markers hang is not kept", "say the stitches: `k to last 4 sts`"},
     [ELSEWHERE] = {CODE_ELSEWHERE, "'%s' is %s; version 1 needs the row's stitches themselves",
                    "write the row out, edges and all; or make the panel a motif: `beside(tile(garter, 5, 2), panel, ..)`"},
+    [RIBS] = {CODE_ELSEWHERE, "'%s' is %s; version 1 needs the stitches themselves", "`[k1, p1] twice`, or `*k1, p1; rep from * to last 3 sts`"},
 };
 
 /* '#' stands for digits, '*' for anything between; words of a phrase may have commas between them. */
@@ -72,6 +73,8 @@ static const struct {
       "switch"}},
     {"a marker", MARKERS,
      {"to *m", "to *marker", "until *m", "until *marker", "till *m"}},
+    {"a rib whose stitches are not said", RIBS,
+     {"rib", "rib#", "ribbing"}},
     {"a pattern that stands elsewhere", ELSEWHERE,
      {"work *", "patt*", "follow *", "chart*"}},
 };

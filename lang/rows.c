@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "lang/limits.h"
+#include "lang/row_draw.h"
 #include "lang/row_fit.h"
 #include "lang/row_misfit.h"
 
@@ -566,25 +567,6 @@ bool rows_one_repeat(const struct row_list *list, const struct fit *all)
 
 /* ---- drawing ---- */
 
-/* What the right side shows of a row in working order; `ws`: of each stitch its other face. */
-static void draw_row(stitch_id *cell, const stitch_id *worked, int width, enum side side, const stitch_id *ws)
-{
-    for (int x = 0; x < width; x++) {
-        stitch_id stitch = worked[side == SIDE_RS ? width - 1 - x : x];
-
-        if (stitch >= STITCH_OTHER)
-            cell[x] = stitch == STITCH_SAME ? cell[x - width] : ws[cell[x - width]];
-        else
-            cell[x] = side == SIDE_RS ? stitch : ws[stitch];
-    }
-}
-
-/* Whether some of the stitches worked depend on the row below. */
-static bool has_below(const stitch_id *worked, int width)
-{
-    return memchr(worked, STITCH_SAME, (size_t)width) || memchr(worked, STITCH_OTHER, (size_t)width);
-}
-
 static bool nothing_below(struct row_list *list, const struct row_text *text)
 {
     const char *row = list->round ? "rnd" : side_of(list, 0) == SIDE_WS ? "row (RS)" : "row (WS)";
@@ -637,13 +619,10 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             here.work = side == SIDE_WS && text->on_ws ? text->on_ws : text->work;
             if (!row_work(list->diag, &here, width, from, before, worked)) {
                 good = false;
-            } else if (!has_below(worked, width)) {
-                draw_row(to, worked, width, side, ws);
-                text->drawn[side] = i + 1;
-            } else if (i > 0 && good) {
-                draw_row(to, worked, width, side, ws);
-            } else if (i == 0) {
+            } else if (i == 0 && row_draw_asks_below(worked, width)) {
                 good = nothing_below(list, text);
+            } else if (good) {
+                text->drawn[side] = row_draw(to, worked, (struct row_place){width, side, list->round, i == 0, ws}) ? i + 1 : 0;
             }
         }
         before = text;

@@ -20,8 +20,8 @@ enum work_until {
     WORK_FIT            /* as often as leaves room for what follows */
 };
 
-/* In work, not in grids: what shows the same as the stitch below, or its other face. */
-enum { STITCH_SAME = 255, STITCH_OTHER = 254 };
+/* In work, not in grids: what shows the same as the stitch below, or its other face; stitches of a fabric. */
+enum { STITCH_SAME = 255, STITCH_OTHER = 254, STITCH_SEED = 253, STITCH_GARTER = 252, STITCH_STOCKINETTE = 251, STITCH_REVERSE = 250 };
 
 /* So many stitches of a kind. */
 struct run {

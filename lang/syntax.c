@@ -329,6 +329,19 @@ struct row syntax_fabric(struct span all, struct fabric fabric, struct expr *cou
                         .fabric = fabric, .starting = starting};
 }
 
+/* `garter st 3`, `seed st to last 4 sts` within a row; what the second stitch of a rib is would be a guess. */
+struct item *syntax_fabric_stitches(struct parse *parse, struct span span, struct fabric fabric, struct expr *count, struct until until)
+{
+    static const char *const name[] = {[FABRIC_GARTER] = "garter", [FABRIC_STOCKINETTE] = "stockinette", [FABRIC_REVERSE] = "reverse",
+                                       [FABRIC_SEED] = "seed", [FABRIC_RIB] = "knit"};
+
+    if (fabric.kind == FABRIC_RIB) {
+        diag_error(parse->diag, CODE_ELSEWHERE, span, "a rib over a part of a row: version 1 needs the row's stitches themselves");
+        diag_hint(parse->diag, "`[k1, p1] twice`, or `*k1, p1; rep from * to last 3 sts`");
+    }
+    return item_stitch(parse, span, names_intern(parse->names, name[fabric.kind], strlen(name[fabric.kind])), count, until);
+}
+
 struct row syntax_ridges(struct parse *parse, struct span all, struct expr *count, enum side starting)
 {
     struct expr *two = expr_number(parse, count->span, 2, 0);

@@ -39,6 +39,7 @@ void syntax_first_size(struct parse *, struct span);
 void syntax_goes_on(struct parse *, struct span);
 
 struct row syntax_row(struct parse *, struct row head, struct span head_span, struct row body, struct span body_span);
+struct item *syntax_fabric_stitches(struct parse *, struct span, struct fabric, struct expr *count, struct until);
 struct again syntax_work_again(struct row_numbers *, struct again);
 struct again syntax_again(struct row_numbers *, struct expr *last, struct again);
 struct again syntax_go_on(struct span, struct expr *count);

@@ -3,6 +3,7 @@
 #include "lang/vocabulary.h"
 
 #include "lang/refused.h"
+#include "lang/rows.h"
 #include "lang/typos.h"
 
 #include <ctype.h>
@@ -10,7 +11,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Knit and purl in all the ways they are written. */
+/* Knit and purl in all the ways they are written; fabrics of which a row may have some stitches, `moss 5`. */
 static const struct {
     const char *word;
     stitch_id stitch;
@@ -19,13 +20,16 @@ static const struct {
     {"knit", STITCH_K},
     {"p", STITCH_P},
     {"purl", STITCH_P},
+    {"seed", STITCH_SEED},
+    {"moss", STITCH_SEED},
+    {"garter", STITCH_GARTER},
+    {"stockinette", STITCH_STOCKINETTE},
+    {"reverse", STITCH_REVERSE},
 };
 enum { PLAIN = sizeof plain / sizeof *plain };
 
-/* Own stitches by their name, then by their symbol, then in any case; then the
- * plain ones. */
-static bool find(const struct eval *eval, const struct module *module, const char *word, size_t length,
-                 stitch_id *id)
+/* Own stitches by their name, then by their symbol, then in any case. */
+static bool find_own(const struct eval *eval, const struct module *module, const char *word, size_t length, stitch_id *id)
 {
     for (int pass = 0; pass < 3; pass++)
         for (const struct binding *b = module->first; b; b = b->after) {
@@ -42,12 +46,30 @@ static bool find(const struct eval *eval, const struct module *module, const cha
             *id = stitch->value.stitch;
             return true;
         }
+    return false;
+}
+
+static bool find_plain(const char *word, size_t length, stitch_id *id)
+{
+    char first = (char)tolower((unsigned char)*word);
+
     for (int i = 0; i < PLAIN; i++)
-        if (strlen(plain[i].word) == length && strncasecmp(plain[i].word, word, length) == 0) {
+        if (*plain[i].word == first && strncasecmp(plain[i].word, word, length) == 0 && !plain[i].word[length]) {
             *id = plain[i].stitch;
             return true;
         }
     return false;
+}
+
+/* Once for all of them. */
+static void warn_moss(struct eval *eval, const struct module *module, const char *word, unsigned start)
+{
+    if (strncasecmp(word, "moss", 4) != 0 || eval->moss)
+        return;
+    eval->moss = true;
+    diag_warning(eval->diag, CODE_AMBIGUOUS_NAME, (struct span){module->source, start, start + 4},
+                 "'moss' is two patterns: in Britain what others call seed, in America a pattern of four rows");
+    diag_hint(eval->diag, "taken as 'seed' (British moss)");
 }
 
 static struct nearest nearest_stitch(const struct module *module, const char *word)
@@ -97,22 +119,32 @@ static void unknown(struct eval *eval, const struct module *module, const char *
         eval->refused = diag_line_around(span);
 }
 
-bool vocabulary_stitch(struct eval *eval, const struct module *module, const char *word, size_t length, unsigned start,
-                       stitch_id *id, long long *count)
+/* A name, or a name and behind it how many: only own ones have digits in them. */
+static bool find_counted(const struct eval *eval, const struct module *module, const char *word, size_t length, stitch_id *id, long long *count)
 {
     size_t digits = 0;
 
     *count = -1;
-    if (find(eval, module, word, length, id))
+    if (find_own(eval, module, word, length, id))
         return true;
     while (digits < length && isdigit((unsigned char)word[length - 1 - digits]))
         digits++;
+    if (digits == length || (digits && !find_own(eval, module, word, length - digits, id) && !find_plain(word, length - digits, id)))
+        return false;
+    if (!digits)
+        return find_plain(word, length, id);
+    *count = digits > 9 ? 999999999 : strtoll(word + length - digits, NULL, 10);
+    return true;
+}
 
-    /* A name, then how many. */
-    if (digits && digits < length && find(eval, module, word, length - digits, id)) {
-        *count = digits > 9 ? 999999999 : strtoll(word + length - digits, NULL, 10);
-        return true;
+bool vocabulary_stitch(struct eval *eval, const struct module *module, const char *word, size_t length, unsigned start,
+                       stitch_id *id, long long *count)
+{
+    if (!find_counted(eval, module, word, length, id, count)) {
+        unknown(eval, module, arena_copy(eval->arena, word, length), start);
+        return false;
     }
-    unknown(eval, module, arena_copy(eval->arena, word, length), start);
-    return false;
+    if (*id == STITCH_SEED)
+        warn_moss(eval, module, word, start);
+    return true;
 }
