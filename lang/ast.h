@@ -60,7 +60,8 @@ struct range {
 
 /* ---- written rows ---- */
 
-enum side { SIDE_OPEN, SIDE_RS, SIDE_WS };
+/* The last two, of a first row alone: its stitch is told, the fabric says on which side that is worked. */
+enum side { SIDE_OPEN, SIDE_RS, SIDE_WS, SIDE_OF_KNIT, SIDE_OF_PURL };
 
 enum until_kind {
     UNTIL_ONCE,         /* nothing is said */

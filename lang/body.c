@@ -266,6 +266,16 @@ struct row_run {
     int which;          /* whose text it is: a row's number, or a variant of a fabric */
 };
 
+/* A knit row is of the right side, but in reverse stockinette. */
+static enum side starting_side(const struct row *row)
+{
+    bool reverse = row->body == BODY_FABRIC && row->fabric.kind == FABRIC_REVERSE;
+
+    if (row->starting == SIDE_OF_KNIT || row->starting == SIDE_OF_PURL)
+        return (row->starting == SIDE_OF_KNIT) != reverse ? SIDE_RS : SIDE_WS;
+    return row->starting;
+}
+
 static bool next_text(struct eval *eval, struct where where, struct row_run *run, struct body *body, int i)
 {
     const struct row *row = run->row;
@@ -283,7 +293,7 @@ static bool next_text(struct eval *eval, struct where where, struct row_run *run
     run->which = which;
     run->text = make_text(eval, where, row, body, which);
     if (run->text && starting && i == 0)
-        run->text->side = row->starting;
+        run->text->side = starting_side(row);
     return run->text != NULL;
 }
 

@@ -104,6 +104,11 @@ static struct at_place look(struct phrases *phrases, const char *text)
         at.word = NUMBER;
         return at;
     }
+    if (strncmp(text, "\xE2\x80\x93", 3) == 0 || strncmp(text, "\xE2\x80\x94", 3) == 0) {   /* a longer dash */
+        at.length = 3;
+        at.word = *bucket_of(phrases, "-", 1, hash_of("-", 1));
+        return at;
+    }
     while (isalnum((unsigned char)text[at.length]))
         at.length++;
     at.length += at.length == 0 && *text;

@@ -251,16 +251,20 @@ void scanner_side(KNIT_STYPE *value, const char *text)
     value->side = tolower((unsigned char)*text) == 'r' ? SIDE_RS : SIDE_WS;
 }
 
-/* "starting with a purl row", "beg on a WS row": knit rows are of the right side. */
+/* "starting with a purl row", "beg on a WS row" */
 void scanner_starting(KNIT_STYPE *value, const char *text)
 {
-    static const char *const wrong[] = {"p", "purl", "ws", "wrong"};
+    static const struct {
+        const char *word;
+        enum side side;
+    } sides[] = {{"p", SIDE_OF_PURL}, {"purl", SIDE_OF_PURL}, {"k", SIDE_OF_KNIT}, {"knit", SIDE_OF_KNIT},
+                 {"ws", SIDE_WS}, {"wrong", SIDE_WS}};
 
     value->side = SIDE_RS;
     for (; *text; text += strcspn(text, " \t\f\v"), text += strspn(text, " \t\f\v"))
-        for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-            if (is_word(text, word_length(text), wrong[i]))
-                value->side = SIDE_WS;
+        for (size_t i = 0; i < sizeof sides / sizeof *sides; i++)
+            if (is_word(text, word_length(text), sides[i].word))
+                value->side = sides[i].side;
 }
 
 /* "(set-up row, WS)": whether a side is among the words. */
