@@ -173,11 +173,11 @@ static void say_end(struct crew *crew, const struct sweep_fold *fold, int how)
     int status = WIFEXITED(how) ? WEXITSTATUS(how) : -1;
     const char *ending = status >= 0 && status < NENDINGS ? endings[status]
                          : arena_printf(&arena, "killed by signal %d", WTERMSIG(how));
-    bool stopped = status == STATUS_FAILED && interrupt_asked();
+    bool stopped = status == STATUS_FAILED && interrupt_asked(), tried = status == STATUS_FAILED && fold->from > 0;
     progress_point(&crew->progress,
                    arena_printf(&arena, "[%d/%d] %s: %s", crew->before + crew->progress.done + 1,
-                                crew->before + crew->progress.nsteps, point.name, stopped ? "stopped" : ending),
-                   status != STATUS_DONE && !stopped);
+                                crew->before + crew->progress.nsteps, point.name, stopped ? "stopped" : tried ? "no minimum from there; folds from flat" : ending),
+                   status != STATUS_DONE && !stopped && !tried);
     crew->stuck = crew->stuck || status == STATUS_FILES;
     arena_free(&arena);
 }
