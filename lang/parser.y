@@ -144,6 +144,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token <text> PLAIN_EVERY "'knit every row'"
 %token WORK             "'work'"
 %token WORK_ROWS        "'work rows'"
+%token WORK_LAST        "'work these'"
 %token <fabric> FABRIC  "a fabric's name"
 %token FOR_ROWS         "'for' so many rows"
 %token IN_FABRIC        "'in' or 'of'"
@@ -250,7 +251,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %type <items>     items elements
 %type <until>     until position times
 %type <expr>      check
-%type <again>     again again_once
+%type <again>     again again_once again_counted
 %type <side>      starting
 
 %%
@@ -532,6 +533,7 @@ repeat_statement:
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
 | REPEAT_THEM again                     { $$ = stmt_again(parse, @$, $again); $$->again.which = AGAIN_THEM; }
+| WORK_LAST count ROW_WORD again        { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_LAST; $$->again.last = $count; }
 | WORK_THEM again                       { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_THEM; }
 | GO_ON_ROWS count more ROW_WORD pattern
                                         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
@@ -549,13 +551,17 @@ again:
 again_once:
   %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | FOR_PATTERN                           { $$ = (struct again){.kind = AGAIN_PATTERN, .pattern = true}; }
-| count TIMES                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
+| again_counted
+| ',' again_counted                     { $$ = $again_counted; }
+| FOR_PATTERN again_counted             { $$ = $again_counted; }
+| FOR_PATTERN ',' again_counted         { $$ = $again_counted; }
+;
+again_counted:
+  count TIMES                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | count MORE TIMES                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
 | count TIMES MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
 | TWICE                                 { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
 | TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0), .more = true}; }
-| ',' count TIMES                       { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
-| ',' count MORE TIMES                  { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
 | UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
 | UNTIL_LENGTH                          { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
