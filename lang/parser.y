@@ -563,6 +563,7 @@ again_counted:
 | TWICE                                 { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
 | TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0), .more = true}; }
 | UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
+| UNTIL_ROWS count ROW_WORD TOTAL       { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
 | UNTIL_LENGTH                          { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | FOR_ROWS count ROW_WORD               { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count}; }

@@ -287,10 +287,21 @@ bool prose_times_follow(const char *text)
     return behind && (is_word(behind, "times") || is_word(behind, "time") || is_word(behind, "more"));
 }
 
+bool prose_comma_is_idle(const char *text)
+{
+    return prose_times_follow(text) || *skip_blanks(text) == '.' || is_word(skip_blanks(text), "or");
+}
+
 bool prose_row_is_named(const char *text)
 {
     text = skip_blanks(text);
     return is_rows_word(text) && *skip_blanks(text + word_length(text)) == ':';
+}
+
+bool prose_is_meaning(const char *text)
+{
+    text += strncasecmp(text, "(s)", 3) == 0 ? 3 : 0;
+    return *skip_blanks(text) == '=';
 }
 
 bool prose_row_word(const char *text)
@@ -318,7 +329,7 @@ bool prose_is_remark(const char *text)
 {
     size_t n = 1, longest = 0;
 
-    for (; isalpha((unsigned char)text[n]) || strchr(" ,-", text[n] ? text[n] : '.'); n += word_length(text + n) ? word_length(text + n) : 1)
+    for (; isalpha((unsigned char)text[n]) || strchr(" ,-!'", text[n] ? text[n] : '.'); n += word_length(text + n) ? word_length(text + n) : 1)
         longest = word_length(text + n) > longest ? word_length(text + n) : longest;
     return *text == '(' && longest > 2 && text[n] == ')' && *skip_blanks(text + n + 1) == ':';
 }
@@ -428,7 +439,7 @@ static int count_words(const char *text)
 }
 
 /* Words that begin a sentence, though some are nearly a statement's. */
-static const char *const sentence_word[] = {"the", "this", "you", "it", "we", "my", "how", "when", "now", "our", "your", "there", "these", "that", "then"};
+static const char *const sentence_word[] = {"the", "this", "you", "it", "we", "my", "how", "when", "now", "our", "your", "there", "these", "that", "then", "set"};
 enum { nsentence_words = sizeof sentence_word / sizeof *sentence_word };
 
 /* `Casst`, `swach`: the first word is nearly a statement's. */
@@ -555,10 +566,21 @@ static bool has_count(const char *text)
     return false;
 }
 
+/* Quotes that do not stand in brackets: `SQUARE No. 7 ("Windows")` is a name. */
+static bool has_bare_quote(const char *text)
+{
+    size_t n = line_length(text);
+
+    for (size_t i = 1; i < n; i++)
+        if (text[i] == '"' && text[i - 1] != '(' && text[i + 1] != ')')
+            return true;
+    return *text == '"';
+}
+
 bool prose_is_title(const char *text)
 {
     text += *text == '(' && word_length(text + 1) > 4;
-    return !line_has(text, "{}[]\"=<>*|") && !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) &&
+    return !line_has(text, "{}[]=<>*|") && !has_bare_quote(text) && !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) &&
            !has_call(text) && !has_count(text) && count_words(text) > 0 && count_words(text) <= TITLE_WORDS &&
            (word_length(text) > 0 || count_words(text) > 1);
 }

@@ -24,8 +24,10 @@ bool prose_stitches_follow(const char *text);       /* a row's text, of a list t
 bool prose_repeat_follows(const char *text);        /* "rep", "repeat" */
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */
+bool prose_comma_is_idle(const char *text);         /* "3 times", "or until .." behind it */
 bool prose_row_is_named(const char *text);          /* "row:" */
 bool prose_row_follows(const char *text);           /* "row 1" */
+bool prose_is_meaning(const char *text);            /* "(s) = round(s)", behind an abbreviation */
 bool prose_row_word(const char *text);              /* "row", "rounds", or a statement's word */
 bool prose_rows_follow(const char *text);           /* "3 rows", "{n} more rows" */
 bool prose_row_line(const char *text);              /* `*knit 5, purl 1`: a row goes on */

@@ -157,6 +157,35 @@ static size_t caption_length(const char *text, char plain[static SIGNS_PLAIN])
 
 /* ---- marks ---- */
 
+/* `(27, 33)` of `k2 - 21 (27, 33) sts` at a row's end: how many stitches other sizes then have. */
+static size_t other_counts_length(const char *text, size_t at)
+{
+    static const char *const sts[] = {"st", "sts", "stitch", "stitches"};
+    size_t close = at + 1 + strspn(text + at + 1, "0123456789, "), end = close + 1 + strspn(text + close + 1, " "), digits = at;
+
+    if (text[close] != ')' || close == at + 1 || word_in(text + end, sts, sizeof sts / sizeof *sts) < 0)
+        return 0;
+    end += word_length(text + end);
+    end += strspn(text + end, " .)]");
+    while (digits > 0 && text[digits - 1] == ' ')
+        digits--;
+    close += 1 - at;
+    at = digits;
+    while (digits > 0 && isdigit((unsigned char)text[digits - 1]))
+        digits--;
+    if (digits == at || (text[end] && !strchr("\r\n", text[end])))
+        return 0;
+    while (digits > 0 && text[digits - 1] == ' ')
+        digits--;
+    return digits > 0 && strchr(".;,-([\x93\x94", text[digits - 1]) ? close : 0;
+}
+
+/* The full stop of `k.1`, `P.2`: the stitch and its number stand together. */
+static bool is_stop_of_stitch(const char *text, size_t at)
+{
+    return at > 0 && strchr("kKpP", text[at - 1]) && isdigit((unsigned char)text[at + 1]) && (at == 1 || !isalnum((unsigned char)text[at - 2]));
+}
+
 /* `:-` and `:—`, a printer's colon: its bytes. */
 static size_t colon_length(const char *text)
 {
@@ -312,6 +341,10 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     *plain = '\0';
     if (strchr("([", *here) && *here && caption_length(here, plain))
         return caption_length(here, plain);
+    if (*here == '(' && other_counts_length(text, at))
+        return other_counts_length(text, at);
+    if (*here == '.')
+        return is_stop_of_stitch(text, at);
     if (*here == '(')
         return begins ? remark_length(text, at) : 0;
     if (strncmp(here, "\xE2\x80\xA6", 3) == 0)
