@@ -129,6 +129,7 @@ struct fabric {
 
 struct row {
     bool                round;          /* worked in the round: always from the right side */
+    bool                as_others;      /* row or round is not said: what the others are */
     enum side           side;
     bool                setup;          /* before row 1, its numbers being its own */
     struct row_numbers *numbers;        /* NULL: the next row, */

@@ -210,8 +210,12 @@ static bool too_many_rows(struct eval *eval, struct span span)
 /* The next so many rows; n = 1 where no number is said. */
 static bool count_rows(struct eval *eval, struct where where, const struct row *row, const struct body *body, long long *n)
 {
-    long long before = row->total ? rows_count(body->rows) : 0;
+    long long before = 0;
 
+    if (row->total) {
+        rows_work(body->rows);
+        before = rows_count(body->rows);
+    }
     *n = 1;
     if (!row->count)
         return true;
@@ -250,7 +254,7 @@ static struct row_text *make_text(struct eval *eval, struct where where, const s
 {
     struct row_text *text = arena_new(eval->arena, struct row_text);
 
-    *text = (struct row_text){.side = row->side, .round = row->round, .span = row->body_span, .head = row->head};
+    *text = (struct row_text){.side = row->side, .round = row->as_others ? body->round : row->round, .span = row->body_span, .head = row->head};
     if (!lower_check(eval, where, row, text))
         return NULL;
     if (!lower_body(eval, where, row, body, from, text))
@@ -518,6 +522,14 @@ void body_statement(struct eval *eval, struct where where, const struct stmt *st
         body->multiple = stmt->multiple;
     else if (!run(eval, &where, stmt, body))
         body->failed = true;
+}
+
+bool body_in_rounds(const struct stmt *stmt)
+{
+    for (; stmt; stmt = stmt->next)
+        if (stmt->kind == STMT_ROW && !stmt->row.as_others)
+            return stmt->row.round;
+    return false;
 }
 
 void body_run(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)

@@ -271,7 +271,7 @@ static const struct grid *grid_of_body(struct compilation *c, struct body *body)
 static const struct grid *own_rows(struct compilation *c, struct span *where)
 {
     struct eval *eval = &c->eval;
-    struct body body = {.rows = rows_new(eval->arena, eval->diag), .top = true};
+    struct body body = {.rows = rows_new(eval->arena, eval->diag), .round = body_in_rounds(eval->main->file), .top = true};
 
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
         if (!makes_rows(stmt))

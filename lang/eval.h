@@ -184,6 +184,7 @@ struct body {
     struct row_list   *rows;
     const struct grid *chart;
     int                box, box_width;  /* the repeat a chart marks with | .. |; width 0: none */
+    bool               round;           /* what its rows are where their statements do not say */
     bool               top;             /* rows of the file itself: cast on is allowed */
     long long          cast_on;         /* 0: none */
     struct span        cast_on_span;
@@ -193,6 +194,7 @@ struct body {
     bool               failed;
     struct span        first;           /* of its first statement */
 };
+bool body_in_rounds(const struct stmt *);   /* by the first row that says what it is */
 void body_run(struct eval *, struct where, const struct stmt *, struct body *);
 void body_statement(struct eval *, struct where, const struct stmt *, struct body *);
 

@@ -211,7 +211,7 @@ static bool prepare_grid(struct eval *eval, struct motif *m, int box_width)
 
 static bool prepare_body(struct eval *eval, struct motif *m)
 {
-    struct body body = {.rows = rows_new(eval->arena, eval->diag)};
+    struct body body = {.rows = rows_new(eval->arena, eval->diag), .round = body_in_rounds(m->stmt->motif.body)};
 
     body_run(eval, m->where, m->stmt->motif.body, &body);
     if (body.failed)

@@ -580,8 +580,8 @@ work_statement:
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN)); }
 | PLAIN_EVERY FOR_ROWS count ROW_WORD   { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
 | PLAIN_EVERY UNTIL_ROWS count ROW_WORD { $$ = stmt_row(parse, @$, syntax_total(syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD))); }
-| PLAIN_EVERY UNTIL_LENGTH              { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, syntax_two_rows(parse, @$), SIDE_OPEN)); }
-| PLAIN_EVERY                           { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, NULL, SIDE_OPEN)); }
+| PLAIN_EVERY UNTIL_LENGTH              { $$ = stmt_row(parse, @$, syntax_as_others(syntax_plain_rows(parse, @$, @1, $1, syntax_two_rows(parse, @$), SIDE_OPEN))); }
+| PLAIN_EVERY                           { $$ = stmt_row(parse, @$, syntax_as_others(syntax_plain_rows(parse, @$, @1, $1, NULL, SIDE_OPEN))); }
 | WORK in FABRIC for count more ROW_WORD starting
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
 | WORK count more ROW_WORD in FABRIC starting
@@ -589,9 +589,9 @@ work_statement:
 | WORK count more RIDGES starting       { $$ = stmt_row(parse, @$, syntax_ridges(parse, @$, $count, $starting)); }
 | WORK in FABRIC UNTIL_ROWS count ROW_WORD
                                         { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN))); }
-| WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN)); }
-| WORK in FABRIC FOR_PATTERN            { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN)); }
-| WORK in FABRIC                        { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN)); }
+| WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
+| WORK in FABRIC FOR_PATTERN            { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
+| WORK in FABRIC                        { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
 | STARTING work_statement[work]         { $$ = $work; $$->row.starting = $STARTING; }
 ;
 starting: %empty                        { $$ = SIDE_OPEN; } | STARTING;

@@ -356,6 +356,12 @@ struct row syntax_total(struct row row)
     return row;
 }
 
+struct row syntax_as_others(struct row row)
+{
+    row.as_others = true;
+    return row;
+}
+
 struct expr *syntax_two_rows(struct parse *parse, struct span span)
 {
     diag_warning(parse->diag, CODE_REPEAT_NO_COUNT, span, "how many rows these are is not said: two");

@@ -26,6 +26,7 @@ struct row syntax_plain_rows(struct parse *, struct span, struct span word, cons
 struct row syntax_fabric(struct span, struct fabric, struct expr *count, enum side round, enum side starting);
 struct row syntax_ridges(struct parse *, struct span all, struct expr *count, enum side starting);
 struct row syntax_total(struct row);                                /* so many in all */
+struct row syntax_as_others(struct row);
 struct expr *syntax_two_rows(struct parse *, struct span);          /* how many is not said: warns */
 
 /* `k1, p1, rep to end`: all that stands before is what is repeated. Warns. */
