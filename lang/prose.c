@@ -512,6 +512,21 @@ static bool is_long_sentence(const char *text)
     return words >= (is_one_of(text, sentence_word, nsentence_words) ? SHORT_SENTENCE : LONG_SENTENCE) && text[word_length(text)] == ' ';
 }
 
+bool prose_is_named_row(const char *text)
+{
+    static const char *const row[] = {"row", "rnd", "round"};
+    const char *behind = text;
+
+    for (int words = 0; words < 2 && !is_one_of(behind, row, sizeof row / sizeof *row); words++)
+        behind = skip_blanks(behind + word_length(behind));
+    if (behind == text || is_mistyped(text) || !is_one_of(behind, row, sizeof row / sizeof *row))
+        return false;
+    behind = skip_blanks(behind + word_length(behind));
+    if (*behind == '(')
+        behind = skip_blanks(behind + strcspn(behind, ":\r\n"));
+    return *behind == ':' && prose_stitches_follow(skip_blanks(behind + 1));
+}
+
 /* `Repeat rows 1-4 until the piece measures ...` */
 static bool is_repeat_until(const char *text)
 {

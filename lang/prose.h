@@ -27,6 +27,7 @@ bool prose_times_follow(const char *text);          /* "3 times", "two more" */
 bool prose_comma_is_idle(const char *text);         /* "3 times", "or until .." behind it */
 bool prose_row_is_named(const char *text);          /* "row:" */
 bool prose_row_follows(const char *text);           /* "row 1" */
+bool prose_is_named_row(const char *text);          /* "Eyelet rnd: knit", "Garter ridge row (RS): purl" */
 bool prose_is_meaning(const char *text);            /* "(s) = round(s)", behind an abbreviation */
 bool prose_row_word(const char *text);              /* "row", "rounds", or a statement's word */
 bool prose_rows_follow(const char *text);           /* "3 rows", "{n} more rows" */
