@@ -52,6 +52,19 @@ static void draw_seed(stitch_id *cell, int x, int n, const struct row_place *row
         cell[column + i * step] = i % 2 == (first == STITCH_P) ? STITCH_K : STITCH_P;
 }
 
+/* ---- garter ---- */
+
+/* Garter over n stitches: knitted on both sides; in the round purled where all below are knit. */
+static void draw_garter(stitch_id *cell, int x, int n, const struct row_place *row)
+{
+    int column = column_of(row, x), left = row->side == SIDE_RS ? column - n + 1 : column;
+    bool purl = row->round ? !row->first : row->side != SIDE_RS;
+
+    for (int i = 0; row->round && purl && i < n; i++)
+        purl = cell[left + i - row->width] == STITCH_K;
+    memset(cell + left, purl ? STITCH_P : STITCH_K, (size_t)n);
+}
+
 /* ---- all stitches ---- */
 
 /* What a stitch shows that is of a fabric, or as the one below. */
@@ -62,9 +75,6 @@ static stitch_id shown(stitch_id stitch, const stitch_id *cell, const struct row
         return cell[-row->width];
     case STITCH_OTHER:
         return row->ws[cell[-row->width]];
-    case STITCH_GARTER:     /* in the round knitted and purled in turns */
-        return row->round ? !row->first && cell[-row->width] == STITCH_K ? STITCH_P : STITCH_K
-                          : row->side == SIDE_RS ? STITCH_K : STITCH_P;
     case STITCH_STOCKINETTE:
         return STITCH_K;
     case STITCH_REVERSE:
@@ -91,10 +101,14 @@ bool row_draw(stitch_id *cell, const stitch_id *worked, struct row_place row)
     for (int x = 0, n; x < row.width; x += n) {
         stitch_id *to = cell + column_of(&row, x);
 
-        for (n = 1; worked[x] == STITCH_SEED && x + n < row.width && worked[x + n] == STITCH_SEED;)
+        bool seed = worked[x] == STITCH_SEED, garter = worked[x] == STITCH_GARTER;
+
+        for (n = 1; (seed || garter) && x + n < row.width && worked[x + n] == worked[x];)
             n++;
-        if (worked[x] == STITCH_SEED)
+        if (seed)
             draw_seed(cell, x, n, &row);
+        else if (garter)
+            draw_garter(cell, x, n, &row);
         else
             *to = worked[x] < STITCH_REVERSE && row.side == SIDE_RS ? worked[x] : shown(worked[x], to, &row);
     }
