@@ -656,6 +656,25 @@ bool prose_of_multiple(const struct scanner *scanner)
     return line_has_word(text, "multiple") || line_has_word(text, "multiples") || line_has_word(text, "mult");
 }
 
+size_t prose_sizes_length(const char *text, int *n)
+{
+    const char *at = text + 1, *close;
+
+    for (*n = 0; isdigit((unsigned char)*(at += strspn(at, " \t"))); ++*n) {
+        at += strspn(at, "0123456789");
+        at += strspn(at, " \t");
+        if (!strchr(",:/-", *at) || !*at) {
+            ++*n;
+            break;
+        }
+        at++;
+    }
+    close = at + strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ \t.");
+    if (*close != (*text == '(' ? ')' : ']') || (*n == 1 && close > at))
+        return 0;
+    return *n ? (size_t)(close + 1 - text) : 0;
+}
+
 bool prose_sizes(struct scanner *scanner, struct span line)
 {
     static const char *const word[] = {"row", "rows", "rnd", "rnds", "round", "rounds", "times", "more"};

@@ -456,26 +456,6 @@ int scanner_character(struct scanner *scanner, struct span span)
     return TOKEN_KNIT_error;
 }
 
-/* The bytes of `(5, 6)`, `[5:6:7]`, `(5, 6 sts)`; 0: no numbers. *n: how many. */
-static size_t sizes_length(const char *text, int *n)
-{
-    const char *at = text + 1, *close;
-
-    for (*n = 0; isdigit((unsigned char)*(at += strspn(at, " \t"))); ++*n) {
-        at += strspn(at, "0123456789");
-        at += strspn(at, " \t");
-        if (!strchr(",:/-", *at) || !*at) {
-            ++*n;
-            break;
-        }
-        at++;
-    }
-    close = at + strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ \t.");
-    if (*close != (*text == '(' ? ')' : ']') || (*n == 1 && close > at))
-        return 0;
-    return *n ? (size_t)(close + 1 - text) : 0;
-}
-
 int scanner_size_list(struct scanner *scanner, struct span span)
 {
     if (scanner->previous == TOKEN_CAST_ON) {
@@ -492,7 +472,7 @@ bool scanner_sizes(struct scanner *scanner, struct span bracket)
     const char *text = scanner->parse->text + bracket.start, *behind;
     unsigned at = bracket.start;
     int n;
-    size_t length = strchr("([", *text) ? sizes_length(text, &n) : 0;
+    size_t length = strchr("([", *text) ? prose_sizes_length(text, &n) : 0;
 
     while (at > 0 && scanner->parse->text[at - 1] == ' ')
         at--;

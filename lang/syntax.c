@@ -501,8 +501,8 @@ struct multiple syntax_parity(struct parse *parse, struct span span, int of, int
 
 void syntax_first_size(struct parse *parse, struct span sizes)
 {
-    diag_warning(parse->diag, CODE_FIRST_SIZE, sizes, "several sizes: the first is taken");
-    diag_hint(parse->diag, "for another, write its number alone");
+    diag_warning(parse->diag, CODE_FIRST_SIZE, sizes, "several sizes: the first is taken, in the rows too");
+    diag_hint(parse->diag, "for another, write its numbers alone");
 }
 
 void syntax_goes_on(struct parse *parse, struct span span)

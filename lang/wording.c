@@ -311,6 +311,8 @@ struct wording {
     const char *text;
     size_t size;
     bool copied;
+    size_t sizes;       /* where the cast-on names further sizes, nsizes of them; 0: none */
+    int nsizes;
 };
 
 static char *own_text(struct wording *w)
@@ -504,11 +506,43 @@ static size_t stitches_length(const char *text)
     return length;
 }
 
+/* Where `(26, 30)` of a cast-on stands, and how many further sizes that are; or 0. */
+static size_t cast_on_sizes(const char *text, int *n)
+{
+    size_t bracket = 0;
+
+    for (size_t at = 0; text[at] && !bracket; at++) {
+        size_t cast = at == 0 || !isalnum((unsigned char)text[at - 1]) ? one_of("cast on|co", text + at) : 0, digits;
+
+        if (!cast)
+            continue;
+        cast = at + cast + strspn(text + at + cast, " ");
+        digits = strspn(text + cast, "0123456789");
+        cast += digits + strspn(text + cast + digits, " ");
+        if (digits && strchr("([", text[cast]) && text[cast] && prose_sizes_length(text + cast, n))
+            bracket = cast;
+    }
+    return bracket;
+}
+
+/* How long `(5, 6)` behind a number is, where the cast-on names as many further sizes; or 0. */
+static size_t other_sizes_length(const struct wording *w, size_t at)
+{
+    size_t before = at, length;
+    int n;
+
+    while (before > 0 && w->text[before - 1] == ' ')
+        before--;
+    length = w->sizes && at > w->sizes && before > 0 && isdigit((unsigned char)w->text[before - 1]) ? prose_sizes_length(w->text + at, &n) : 0;
+    return length && n == w->nsizes && (n > 1 || strchr(" ,", w->text[at + length])) ? length : 0;
+}
+
 const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
-    struct wording w = {arena, text, size, false};
+    struct wording w = {.arena = arena, .text = text, .size = size};
     struct phrases *phrases = phrases_read(arena, table, PHRASES);
 
+    w.sizes = cast_on_sizes(text, &w.nsizes);
     for (size_t at = 0; at < size;) {
         unsigned char c = (unsigned char)w.text[at];
 
@@ -518,6 +552,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         }
         at += stitches_length(w.text + at);
         c = (unsigned char)w.text[at];
+        if (strchr("([", c) && c && other_sizes_length(&w, at))
+            memset(own_text(&w) + at, ' ', other_sizes_length(&w, at));
         if (c == '(' && rib_length(w.text + at))
             put_rib(&w, at, rib_length(w.text + at));
         if (at == 0 || strchr("\r\n", w.text[at - 1])) {
