@@ -6,33 +6,8 @@
 #include <stdlib.h>
 
 #include "solver/memory.h"
+#include "solver/vector.h"
 #include "tests/solver/scenes.h"
-
-double difference_dot(int n, const double *a, const double *b)
-{
-    double s = 0;
-    for (int i = 0; i < n; i++)
-        s += a[i] * b[i];
-    return s;
-}
-
-double *difference_noise(int n, double amplitude)
-{
-    double *v = MEMORY_ARRAY(double, n);
-    for (int i = 0; i < n; i++)
-        v[i] = amplitude * scene_random();
-    return v;
-}
-
-double *difference_state(const struct discretisation *d, double amplitude)
-{
-    double *x = MEMORY_ARRAY(double, d->n), *noise = difference_noise(d->n, amplitude);
-    d->op->flat(d, x);
-    for (int i = 0; i < d->n; i++)
-        x[i] += noise[i];
-    free(noise);
-    return x;
-}
 
 /* y = x + step v */
 static double *moved(int n, const double *x, double step, const double *v)
@@ -46,9 +21,9 @@ static double *moved(int n, const double *x, double step, const double *v)
 /* (U(x + s v) - U(x - s v)) / 2 s against g . v; energies of the parts add up to the total. */
 double difference_gradient_error(const struct discretisation *d, const double *x)
 {
-    double *g = MEMORY_ARRAY(double, d->n), *v = difference_noise(d->n, 1), least = 1;
+    double *g = MEMORY_ARRAY(double, d->n), *v = scene_vector(d->n, 1), least = 1;
     d->op->energy(d, x, 1, g);
-    double slope = difference_dot(d->n, g, v);
+    double slope = vector_dot(d->n, g, v);
     for (double step = 1e-3; step > 1e-8; step /= 3) {
         double *plus = moved(d->n, x, step, v), *minus = moved(d->n, x, -step, v);
         double difference = d->op->energy(d, plus, 1, NULL).total - d->op->energy(d, minus, 1, NULL).total;
@@ -85,7 +60,7 @@ static double bilinear_difference(const struct discretisation *d, const double *
             move[i] = u[i];
     double *plus = moved(d->n, x, step, move), *minus = moved(d->n, x, -step, move);
     double *gp = gradient_in_increments(d, plus), *gm = gradient_in_increments(d, minus);
-    double result = (difference_dot(d->n, v, gp) - difference_dot(d->n, v, gm)) / (2 * step);
+    double result = (vector_dot(d->n, v, gp) - vector_dot(d->n, v, gm)) / (2 * step);
     free(move);
     free(plus);
     free(minus);
@@ -108,7 +83,7 @@ static double bilinear(const struct pattern *p, const double *value, const doubl
 /* Where T turns with x the differences are not symmetric, but for that the Hessian is their symmetric part. */
 double difference_hessian_error(const struct discretisation *d, const double *x)
 {
-    double *u = difference_noise(d->n, 1), *v = difference_noise(d->n, 1), least = 1;
+    double *u = scene_vector(d->n, 1), *v = scene_vector(d->n, 1), least = 1;
     double *value = MEMORY_ARRAY(double, d->pattern.start[d->n]);
     d->op->hessian(d, x, 1, HESSIAN_EXACT, value);
     double exact = bilinear(&d->pattern, value, u, v);
@@ -131,7 +106,7 @@ double difference_cholesky(const struct pattern *p, const double *value, double 
         for (int k = p->start[j]; k < p->start[j + 1]; k++)
             a[(size_t)p->row[k] * n + (size_t)j] = value[k];
     for (size_t j = 0; j < n; j++) {
-        double pivot = a[j * n + j] + shift - difference_dot((int)j, a + j * n, a + j * n);
+        double pivot = a[j * n + j] + shift - vector_dot((int)j, a + j * n, a + j * n);
         if (!(pivot > 0)) {
             smallest = -1;
             break;
@@ -139,7 +114,7 @@ double difference_cholesky(const struct pattern *p, const double *value, double 
         smallest = fmin(smallest, pivot);
         a[j * n + j] = sqrt(pivot);
         for (size_t i = j + 1; i < n; i++)
-            a[i * n + j] = (a[i * n + j] - difference_dot((int)j, a + i * n, a + j * n)) / a[j * n + j];
+            a[i * n + j] = (a[i * n + j] - vector_dot((int)j, a + i * n, a + j * n)) / a[j * n + j];
     }
     free(a);
     return smallest;

@@ -6,14 +6,6 @@
 
 #include "solver/discretisation.h"
 
-double difference_dot(int n, const double *a, const double *b);
-
-/* (n) numbers in [-amplitude, amplitude]; free. */
-double *difference_noise(int n, double amplitude);
-
-/* The flat state and noise of an amplitude; free. */
-double *difference_state(const struct discretisation *d, double amplitude);
-
 /* Relative errors of derivatives at x by central differences, the least over steps from 1e-3 to 1e-8: longer steps
  * see higher derivatives, shorter ones rounding. */
 double difference_gradient_error(const struct discretisation *d, const double *x);

@@ -12,6 +12,7 @@
 #include "solver/memory.h"
 #include "solver/triangle.h"
 #include "solver/triangle_model.h"
+#include "solver/vector.h"
 #include "tests/solver/differences.h"
 #include "tests/solver/scenes.h"
 
@@ -61,7 +62,7 @@ static void gradient_is_the_differences(void **unused)
     for (int k = 0; k < 5 * KINDS; k++) {
         struct sheet *sheet;
         struct discretisation *d = make(k % KINDS, 5, 3, 1 + k % 2, &sheet);
-        double *x = difference_state(d, 0.25), error = difference_gradient_error(d, x);
+        double *x = scene_state(d, 0.25), error = difference_gradient_error(d, x);
         if (!(error < 1e-8))
             fail_msg("kind %d: relative error %.1e", k % KINDS, error);
         free(x);
@@ -77,7 +78,7 @@ static void narrow_sheets_are_sheets(void **unused)
     for (int k = 0; k < 3 * 4 * 2; k++) {
         struct sheet *sheet = full_sheet(size[k % 4][0], size[k % 4][1], (enum diagonals)(k / 8));
         struct discretisation *d = triangle_make(sheet, 1 + k / 4 % 2, 2), *fine = triangle_make(sheet, 3, 1);
-        double *x = difference_state(d, 0.2), *y = MEMORY_ARRAY(double, fine->n);
+        double *x = scene_state(d, 0.2), *y = MEMORY_ARRAY(double, fine->n);
         assert_true(difference_gradient_error(d, x) < 1e-8);
         assert_true(difference_hessian_error(d, x) < 1e-7);
         d->op->prolong(d, x, fine, y);
@@ -95,7 +96,7 @@ static void hessian_is_the_differences(void **unused)
     for (int k = 0; k < 5 * KINDS; k++) {
         struct sheet *sheet;
         struct discretisation *d = make(k % KINDS, 5, 3, 1 + k % 2, &sheet);
-        double *x = difference_state(d, 0.25), error = difference_hessian_error(d, x);
+        double *x = scene_state(d, 0.25), error = difference_hessian_error(d, x);
         if (!(error < 1e-7))
             fail_msg("kind %d: relative error %.1e", k % KINDS, error);
         free(x);
@@ -110,11 +111,11 @@ static void cotangent_is_the_transpose(void **unused)
     for (int kind = 0; kind < KINDS; kind++) {
         struct sheet *sheet;
         struct discretisation *d = make(kind, 5, 3, 2, &sheet);
-        double *x = difference_state(d, 0.25), *z = difference_noise(d->n, 1), *g = difference_noise(d->n, 1);
+        double *x = scene_state(d, 0.25), *z = scene_vector(d->n, 1), *g = scene_vector(d->n, 1);
         double *tz = MEMORY_ARRAY(double, d->n), *tg = MEMORY_ARRAY(double, d->n);
         d->op->tangent(d, x, z, tz);
         d->op->cotangent(d, x, g, tg);
-        assert_true(fabs(difference_dot(d->n, g, tz) - difference_dot(d->n, tg, z)) < 1e-11);
+        assert_true(fabs(vector_dot(d->n, g, tz) - vector_dot(d->n, tg, z)) < 1e-11);
         free(x);
         free(z);
         free(g);
@@ -131,7 +132,7 @@ static void semidefinite_is_semidefinite(void **unused)
     for (int k = 0; k < 3 * KINDS; k++) {
         struct sheet *sheet;
         struct discretisation *d = make(k % KINDS, 3, 2, 1 + k % 2, &sheet);
-        double *x = difference_state(d, 0.25), *value = MEMORY_ARRAY(double, d->pattern.start[d->n]), largest = 0;
+        double *x = scene_state(d, 0.25), *value = MEMORY_ARRAY(double, d->pattern.start[d->n]), largest = 0;
         d->op->hessian(d, x, 1, HESSIAN_SEMIDEFINITE, value);
         for (int i = 0; i < d->n; i++)
             largest = fmax(largest, value[d->pattern.start[i]]);
@@ -151,7 +152,7 @@ static void hessians_meet_at_rest(void **unused)
     struct sheet *sheet = scene_sheet(3, 2, NULL);
     struct discretisation *d = triangle_make(sheet, 2, 1);
     int entries = d->pattern.start[d->n];
-    double *x = difference_state(d, 0), *a = MEMORY_ARRAY(double, entries), *b = MEMORY_ARRAY(double, entries);
+    double *x = scene_state(d, 0), *a = MEMORY_ARRAY(double, entries), *b = MEMORY_ARRAY(double, entries);
     d->op->hessian(d, x, 0, HESSIAN_EXACT, a);
     d->op->hessian(d, x, 0, HESSIAN_SEMIDEFINITE, b);
     for (int k = 0; k < entries; k++)
@@ -168,10 +169,10 @@ static void nothing_at_rest(void **unused)
     for (int kind = 0; kind < KINDS; kind++) {
         struct sheet *sheet;
         struct discretisation *d = make(kind, 5, 3, 2, &sheet);
-        double *x = difference_state(d, 0), *g = MEMORY_ARRAY(double, d->n);
+        double *x = scene_state(d, 0), *g = MEMORY_ARRAY(double, d->n);
         struct fold_energy e = d->op->energy(d, x, 0, g);
         assert_true(e.total < 1e-28);
-        assert_true(sqrt(difference_dot(d->n, g, g)) < 1e-13);
+        assert_true(sqrt(vector_dot(d->n, g, g)) < 1e-13);
         free(x);
         free(g);
         release(d, sheet);
@@ -201,7 +202,7 @@ static void rigid_motions_change_nothing(void **unused)
     for (int kind = 0; kind < KINDS; kind++) {
         struct sheet *sheet;
         struct discretisation *d = make(kind, 5, 3, 2, &sheet);
-        double *x = difference_state(d, 0.25), *near = rigid(d, x, 7), *far = rigid(d, x, 1e6);
+        double *x = scene_state(d, 0.25), *near = rigid(d, x, 7), *far = rigid(d, x, 1e6);
         struct fold_energy e = d->op->energy(d, x, 1, NULL), n = d->op->energy(d, near, 1, NULL);
         struct fold_energy f = d->op->energy(d, far, 1, NULL);
         assert_true(fabs(n.stretching / e.stretching - 1) < 1e-12);
@@ -228,7 +229,7 @@ static void mirror_image_has_the_same_energy(void **unused)
     sheet->mesh.diagonals = mirrored->mesh.diagonals = DIAGONALS_CRISSCROSS;
     struct discretisation *d = triangle_make(sheet, 2, 1), *m = triangle_make(mirrored, 2, 1);
     const struct triangle *t = (const struct triangle *)d, *u = (const struct triangle *)m;
-    double *x = difference_state(d, 0.25), *y = MEMORY_ARRAY(double, d->n);
+    double *x = scene_state(d, 0.25), *y = MEMORY_ARRAY(double, d->n);
     int nx = t->mesh->nx, ny = t->mesh->ny;
 
     /* Vertices go over by their place; edge angles by their ends, as the mirror turns the order of faces about. */
@@ -268,7 +269,7 @@ static void any_number_of_threads_gives_the_same_bits(void **unused)
         struct discretisation *d = triangle_make(sheet, 2, 1);
         assert_int_equal(((const struct triangle *)d)->ncolours, 2);
         size_t n = (size_t)d->n, entries = (size_t)d->pattern.start[d->n];
-        double *x = difference_state(d, 0.1), *g[2], *z[2], *value[2];
+        double *x = scene_state(d, 0.1), *g[2], *z[2], *value[2];
         struct fold_energy e[2];
         for (int k = 0; k < 2; k++) {
             d->threads = k ? 3 : 1;
@@ -332,7 +333,7 @@ static void degenerate_states_return(void **unused)
     double *x = MEMORY_ARRAY(double, d->n), *g = MEMORY_ARRAY(double, d->n);
     swing(d, x, M_PI);
     assert_true(isfinite(d->op->energy(d, x, 1, g).total));
-    assert_true(isfinite(difference_dot(d->n, g, g)));
+    assert_true(isfinite(vector_dot(d->n, g, g)));
     for (int k = 0; k < d->nnodes; k++)
         x[d->node[k]] = x[d->node[k] + 1] = 0;
     d->op->energy(d, x, 1, g);

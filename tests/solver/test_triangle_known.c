@@ -12,6 +12,7 @@
 #include "solver/problem.h"
 #include "solver/triangle.h"
 #include "solver/triangle_model.h"
+#include "solver/vector.h"
 #include "tests/solver/differences.h"
 #include "tests/solver/scenes.h"
 
@@ -47,7 +48,7 @@ static void flat_sheet(void **unused)
         for (int per = 1; per < 4; per++) {
             struct sheet *sheet = even_sheet(3, 2, kx, ky, twist, kind);
             struct discretisation *d = triangle_make(sheet, per, 1);
-            double *x = difference_state(d, 0);
+            double *x = scene_state(d, 0);
             struct fold_energy e = d->op->energy(d, x, 1, NULL);
             assert_true(fabs(e.bending / expected - 1) < 1e-14);
             assert_true(e.stretching < 1e-28);
@@ -70,7 +71,7 @@ static void aligned_roll_is_exact(void **unused)
         const struct triangle_mesh *m = t->mesh;
         int n = across ? m->ny : m->nx, other = across ? m->nx : m->ny;
         double side = across ? m->dy : m->dx, half = asin(k * side / 2), u = 0, z = 0;
-        double *x = difference_state(d, 0), *g = MEMORY_ARRAY(double, d->n);
+        double *x = scene_state(d, 0), *g = MEMORY_ARRAY(double, d->n);
         for (int i = 0; i <= n; i++) {
             for (int j = 0; j <= other; j++) {
                 double *r = x + t->vertex_at[across ? triangle_mesh_corner(m, j, i) : triangle_mesh_corner(m, i, j)];
@@ -86,7 +87,7 @@ static void aligned_roll_is_exact(void **unused)
                     -half;
         struct fold_energy e = d->op->energy(d, x, 1, g);
         assert_true(e.total < 1e-28);
-        assert_true(sqrt(difference_dot(d->n, g, g)) < 1e-13);
+        assert_true(sqrt(vector_dot(d->n, g, g)) < 1e-13);
         free(g);
         release(d, sheet, x);
     }
@@ -131,7 +132,7 @@ static void oblique_roll_converges(void **unused)
         for (int per = 1; per <= 4; per *= 2) {
             struct sheet *sheet = even_sheet(4, 4, k / 2, k / 2, k / 2, kind);
             struct discretisation *d = triangle_make(sheet, per, 1);
-            double *x = difference_state(d, 0), flat = d->op->energy(d, x, 1, NULL).total;
+            double *x = scene_state(d, 0), flat = d->op->energy(d, x, 1, NULL).total;
             roll_obliquely(d, k, x);
             double left = minimise(d, x) / flat;
             print_message("# oblique roll, %s, %d cells a stitch: %.1e of the flat sheet's energy\n", diagonals[kind],
@@ -153,7 +154,7 @@ static void knit_sheet_curls_as_knitters_know(void **unused)
         struct sheet *sheet = even_sheet(4, 3, across ? 0 : -0.3, across ? 0.3 : 0, 0, 0);
         struct discretisation *d = triangle_make(sheet, 2, 1);
         const struct triangle *t = (const struct triangle *)d;
-        double *x = difference_state(d, 1e-3);
+        double *x = scene_state(d, 1e-3);
         minimise(d, x);
         int nx = t->mesh->nx, ny = t->mesh->ny;
         const double *a = x + t->vertex_at[triangle_mesh_corner(t->mesh, 0, 0)];
@@ -185,7 +186,7 @@ static void springs_are_the_integral(void **unused)
         sheet->spring = k;
         sheet->spring_edges = 1u << edge;       /* left, right, top, bottom */
         struct discretisation *d = triangle_make(sheet, 2, 1);
-        double *x = difference_state(d, 0), *g = MEMORY_ARRAY(double, d->n), force[3] = {0};
+        double *x = scene_state(d, 0), *g = MEMORY_ARRAY(double, d->n), force[3] = {0};
         for (int i = 0; i < d->nnodes; i++)
             for (int c = 0; c < 3; c++)
                 x[d->node[i] + c] += shift[c];
@@ -217,7 +218,7 @@ static void rib_has_the_known_energies(void **unused)
     for (int level = 0; level < 2; level++) {
         struct sheet *sheet = scene_sheet(8, 8, rib);
         struct discretisation *d = triangle_make(sheet, 2 << level, 1);
-        double *x = difference_state(d, 0.005), energy = minimise(d, x);
+        double *x = scene_state(d, 0.005), energy = minimise(d, x);
         if (!(fabs(energy - known[level]) < 1e-5))
             fail_msg("%.7f is not %.5f", energy, known[level]);
         release(d, sheet, x);

@@ -30,7 +30,7 @@ static struct sheet *roll_sheet(int kind)
 
 static double *rolled(const struct discretisation *d)
 {
-    double *x = difference_state(d, 0);
+    double *x = scene_state(d, 0);
     for (int i = 0; i < d->nnodes; i++) {
         double *r = x + d->node[i];
         r[2] = (1 - cos(k * r[0])) / k;
@@ -61,7 +61,7 @@ static void flat_stays_flat(void **unused)
         struct sheet *sheet = roll_sheet(test / 4);
         struct discretisation *a = triangle_make(sheet, level[test % 4][0], 1);
         struct discretisation *b = triangle_make(sheet, level[test % 4][1], 1);
-        double *x = difference_state(a, 0), *y = MEMORY_ARRAY(double, b->n), *flat = difference_state(b, 0);
+        double *x = scene_state(a, 0), *y = MEMORY_ARRAY(double, b->n), *flat = scene_state(b, 0);
         a->op->prolong(a, x, b, y);
         for (int i = 0; i < b->n; i++)
             assert_true(fabs(y[i] - flat[i]) < 1e-13);
@@ -85,7 +85,7 @@ static void little_energy_comes_in(void **unused)
             struct discretisation *a = triangle_make(sheet, per, 1), *b = triangle_make(sheet, 2 * per, 1);
             double *x = rolled(a), *y = MEMORY_ARRAY(double, b->n);
             settle(a, x);
-            double *flat = difference_state(b, 0), scale = b->op->energy(b, flat, 1, NULL).total;
+            double *flat = scene_state(b, 0), scale = b->op->energy(b, flat, 1, NULL).total;
             a->op->prolong(a, x, b, y);
             double share = b->op->energy(b, y, 1, NULL).total / scale;
             print_message("# %d to %d cells a stitch: %.1e of the flat sheet's energy comes in\n", per, 2 * per, share);
