@@ -10,11 +10,10 @@
 int main(int argc, char **argv)
 {
     struct options options;
+    waiting_sleep(argv);
     streams_open();
     interrupt_install();
     enum status status = options_parse(&options, argc, argv);
-    if (status == STATUS_DONE && !options.help && (options.command->run == command_run || options.command->run == command_sweep))
-        waiting_sleep(argv);
     if (status == STATUS_DONE)
         status = options.help ? command_help(&options) : options.command->run(&options);
     options_free(&options);

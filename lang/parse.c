@@ -153,6 +153,14 @@ static bool may_be_spelling(unsigned char c)
     return c >= 0xC2 || c == '&' || c == '\\';
 }
 
+size_t source_blank(const char *text)
+{
+    for (size_t i = 0; may_be_spelling((unsigned char)*text) && i < sizeof spellings / sizeof *spellings; i++)
+        if (spellings[i].plain == ' ' && strncmp(text, spellings[i].text, strlen(spellings[i].text)) == 0)
+            return strlen(spellings[i].text);
+    return *text && strchr(" \t\f\v", *text) ? 1 : 0;
+}
+
 const char *source_plain(struct arena *arena, const struct source *source)
 {
     char *text = NULL;

@@ -28,6 +28,9 @@ struct expr *parse_expression(struct arena *, struct diag *, struct names *, con
 /* The text with every kind of blank as a plain one, byte for byte at its place. */
 const char *source_plain(struct arena *, const struct source *);
 
+/* Bytes of the blank a text begins with, a no-break or other space of a page among them; 0: none. */
+size_t source_blank(const char *text);
+
 /* Its first byte behind a byte order mark, which says nothing to us. */
 unsigned source_start(const struct source *);
 

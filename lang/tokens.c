@@ -100,11 +100,13 @@ static unsigned with_marks(const struct reader *reader, unsigned start)
     const char *text = reader->source->text;
     unsigned at = later(reader->line, reader->end), first = start;
 
-    for (; at < start; at++)
+    for (size_t blank; at < start; at += blank ? (unsigned)blank : 1) {
+        blank = source_blank(text + at);
         if (strchr("\r\n#;{}", text[at]))
             first = start;
-        else if (!strchr(" \t\f\v", text[at]) && first == start)
+        else if (!blank && first == start)
             first = at;
+    }
     return first;
 }
 
