@@ -2,6 +2,8 @@
  * weft: a command line in, what the command does and its exit status out. */
 #include <config.h>
 
+#include <unistd.h>
+
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/streams.h"
@@ -10,12 +12,15 @@
 int main(int argc, char **argv)
 {
     struct options options;
-    waiting_sleep(argv);
     streams_open();
     interrupt_install();
     enum status status = options_parse(&options, argc, argv);
+    if (status == STATUS_DONE && !options.help && (options.command->run == command_run || options.command->run == command_sweep))
+        waiting_sleep(argv);
     if (status == STATUS_DONE)
         status = options.help ? command_help(&options) : options.command->run(&options);
     options_free(&options);
-    return streams_close(status);
+    status = streams_close(status);
+    /* OpenBLAS would wait for its threads here, which under a limit of memory ask for some without end. */
+    _exit((int)status);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * How threads wait: the solver's for each other, a library's not at all. */
+ * How the solver's threads wait for each other. */
 #ifndef WEFT_WAITING_H
 #define WEFT_WAITING_H
 
@@ -7,9 +7,7 @@
  * reads that from the environment before main, so the program starts itself
  * anew with OMP_WAIT_POLICY set, unless it is already; where that cannot be
  * done it goes on as it is.  On a machine others use too, a thread that spins
- * for one that has no processor costs a multiple of the whole run.  OpenBLAS is
- * told to start none by itself: under a limit of memory they would ask for some
- * without end, and the program wait for them at its own end. */
+ * for one that has no processor costs a multiple of the whole run. */
 void waiting_sleep(char **argv);
 
 #endif

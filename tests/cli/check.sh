@@ -11,6 +11,13 @@ exits 0 'a good script' "$WEFT" check "$work/good.knit"
 out 'says the size of its swatch' ': 6 stitches x 1 row, 4 knit, 2 purl$'
 empty 'and no message' "$work/err"
 
+# Threads of a library that find no memory do not keep the program from its end.
+if sanitized "$WEFT"; then
+    skip 'under a limit of memory' 'the address sanitizer needs more'
+else
+    exits 0 'under a limit of memory' timeout -s KILL 60 sh -c 'ulimit -v 200000; exec "$@"' - "$WEFT" check "$work/good.knit"
+fi
+
 printf 'Row 1: k1\nRow 2: p1\n' >"$work/one.knit"
 exits 0 'a narrow one' "$WEFT" check "$work/one.knit"
 out 'of one stitch' ': 1 stitch x 2 rows, 2 knit'
