@@ -56,6 +56,9 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/plot_keys_sweep.knit \
     tests/golden/pictures.knit \
     tests/golden/place_of_statements.knit \
+    tests/golden/statements.knit \
+    tests/golden/charts.knit \
+    tests/golden/chart_keys.knit \
     tests/golden/prose.knit \
     tests/golden/prose_width.knit \
     tests/golden/in_pattern.knit \
@@ -101,6 +104,9 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/plot_keys_sweep.expected \
     tests/golden/pictures.expected \
     tests/golden/place_of_statements.expected \
+    tests/golden/statements.expected \
+    tests/golden/charts.expected \
+    tests/golden/chart_keys.expected \
     tests/golden/prose.expected \
     tests/golden/prose_width.expected \
     tests/golden/in_pattern.expected \
