@@ -25,7 +25,7 @@ static const double KEPT = 2.6;                 /* times a factor and its patter
 static const double PROGRAM = 15e6, BEGIN = 0.02;   /* bytes and seconds, whatever the fold */
 enum { FIRST_ITERATIONS = 90, FIRST_FACTORS = 5, GROWTH_ITERATIONS = 20, GROWTH_FACTORS = 2 };
 enum { LEVEL_ITERATIONS = 60, LEVEL_FACTORS = 5 };
-enum { NEWTON_STEPS = 12, CONJUGATE_STEPS = 24 };   /* of a level too large to factor, the inertia test too; of each step */
+enum { NEWTON_STEPS = 18, CONJUGATE_STEPS = 24 };   /* of a level too large to factor, the inertia test too; of each step */
 static const double RENEWED = 1.3;                  /* times in such a step that the Hessian and the factor are made */
 static const double TURN_ITERATIONS = 10, TURN_FACTORS = 0.4;  /* more on each level, for each turn that the sheet rolls */
 enum { CHECK_ITERATIONS = 40, CHECK_FACTORS = 6 };  /* on patches, for the error of triangles */
