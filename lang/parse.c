@@ -135,7 +135,7 @@ unsigned source_start(const struct source *source)
 
 /* What stands in a page for a plain character: blanks of other kinds, HTML's names,
  * Markdown's backslashes.  Blanks come first, then the plain one, so that places stay the same. */
-static const struct {
+static const struct spelling {
     const char *text;
     char plain;
 } spellings[] = {
@@ -153,11 +153,21 @@ static bool may_be_spelling(unsigned char c)
     return c >= 0xC2 || c == '&' || c == '\\';
 }
 
-size_t source_blank(const char *text)
+/* The spelling a text begins with; or NULL. */
+static const struct spelling *spelling_at(const char *text)
 {
     for (size_t i = 0; may_be_spelling((unsigned char)*text) && i < sizeof spellings / sizeof *spellings; i++)
-        if (spellings[i].plain == ' ' && strncmp(text, spellings[i].text, strlen(spellings[i].text)) == 0)
-            return strlen(spellings[i].text);
+        if (strncmp(text, spellings[i].text, strlen(spellings[i].text)) == 0)
+            return &spellings[i];
+    return NULL;
+}
+
+size_t source_blank(const char *text)
+{
+    const struct spelling *spelling = spelling_at(text);
+
+    if (spelling)
+        return spelling->plain == ' ' ? strlen(spelling->text) : 0;
     return *text && strchr(" \t\f\v", *text) ? 1 : 0;
 }
 
@@ -165,18 +175,16 @@ const char *source_plain(struct arena *arena, const struct source *source)
 {
     char *text = NULL;
 
-    for (size_t at = 0; at < source->size; at++)
-        for (size_t i = 0; may_be_spelling((unsigned char)source->text[at]) && i < sizeof spellings / sizeof *spellings; i++) {
-            size_t n = strlen(spellings[i].text);
+    for (size_t at = 0; at < source->size; at++) {
+        const struct spelling *spelling = spelling_at(source->text + at);
 
-            if (strncmp(source->text + at, spellings[i].text, n) != 0)
-                continue;
-            text = text ? text : arena_copy(arena, source->text, source->size);
-            memset(text + at, ' ', n);
-            text[at + n - 1] = spellings[i].plain;
-            at += n - 1;
-            break;
-        }
+        if (!spelling)
+            continue;
+        text = text ? text : arena_copy(arena, source->text, source->size);
+        memset(text + at, ' ', strlen(spelling->text));
+        at += strlen(spelling->text) - 1;
+        text[at] = spelling->plain;
+    }
     return wording_plain(arena, text ? text : source->text, source->size);
 }
 

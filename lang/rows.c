@@ -152,6 +152,7 @@ static void begin_again(struct row_list *list, const struct row_text *text)
         list->label[i] = NULL;
 }
 
+/* Rows worked before row 1: set-up rows, those without a number. */
 static int rows_before_first(const struct row_list *list)
 {
     int n = 0;
@@ -165,11 +166,13 @@ static int rows_before_first(const struct row_list *list)
  * worked again have the numbers between. */
 static void count_on(struct row_list *list, int label)
 {
+    int before = rows_before_first(list);
+
     if (!list->last_label)
         list->first_label = label;
     list->label = grown(list, list->label, &list->label_room, label);
     for (int between = list->last_label + 1; list->last_label && between < label; between++)
-        list->label[between] = list->order[rows_before_first(list) + between - 1];
+        list->label[between] = list->order[before + between - 1];
     list->first = label;
 }
 

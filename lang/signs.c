@@ -10,25 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
-static size_t word_length(const char *text)
-{
-    size_t n = 0;
-
-    while (isalpha((unsigned char)text[n]))
-        n++;
-    return n;
-}
-
-/* The number of the list's word that stands in the text; -1: none does. */
-static int word_in(const char *text, const char *const *words, int n)
-{
-    size_t length = word_length(text);
-
-    for (int i = 0; i < n; i++)
-        if (strlen(words[i]) == length && strncasecmp(text, words[i], length) == 0)
-            return i;
-    return -1;
-}
+#include "lang/words.h"
 
 /* ---- numbers in letters ---- */
 
@@ -38,8 +20,8 @@ static size_t number_length(const char *text, int *number)
     static const char *const teens[] = {"thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen"},
                              *const tens[] = {"twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"},
                              *const ones[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
-    size_t n = word_length(text), behind = n + (text[n] == '-' || text[n] == ' ');
-    int teen = word_in(text, teens, 7), ten = word_in(text, tens, 8), one = word_in(text + behind, ones, 9);
+    size_t n = words_length(text), behind = n + (text[n] == '-' || text[n] == ' ');
+    int teen = words_find(text, teens, 7), ten = words_find(text, tens, 8), one = words_find(text + behind, ones, 9);
 
     *number = teen >= 0 ? 13 + teen : 20 + 10 * ten;
     if (teen < 0 && ten < 0)
@@ -47,7 +29,7 @@ static size_t number_length(const char *text, int *number)
     if (ten < 0 || one < 0 || behind == n)
         return n;
     *number += one + 1;
-    return behind + word_length(text + behind);
+    return behind + words_length(text + behind);
 }
 
 /* Whether what is counted stands behind, or `cast on`, `knit` before: elsewhere it may be a name. */
@@ -58,13 +40,13 @@ static bool is_count(const char *text, size_t at, size_t length)
     const char *behind = text + at + length;
     size_t end;
 
-    if (word_in(behind + strspn(behind, " \t"), counted, sizeof counted / sizeof *counted) >= 0)
+    if (words_find(behind + strspn(behind, " \t"), counted, sizeof counted / sizeof *counted) >= 0)
         return true;
     while (at > 0 && strchr(" \t", text[at - 1]))
         at--;
     for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
         at--;
-    return end > at && word_in(text + at, before, sizeof before / sizeof *before) >= 0;
+    return end > at && words_find(text + at, before, sizeof before / sizeof *before) >= 0;
 }
 
 /* ---- remarks ---- */
@@ -79,12 +61,12 @@ static bool is_remark(const char *text, size_t length)
     bool found = false;
 
     for (size_t at = 0, n; at < length; at += n ? n : 1) {
-        n = word_length(text + at);
+        n = words_length(text + at);
         if (!n && !strchr(" -,:'/", text[at]))
             return false;
-        if (n && word_in(text + at, work, sizeof work / sizeof *work) >= 0)
+        if (n && words_find(text + at, work, sizeof work / sizeof *work) >= 0)
             return false;
-        found |= n && word_in(text + at, where, sizeof where / sizeof *where) >= 0;
+        found |= n && words_find(text + at, where, sizeof where / sizeof *where) >= 0;
     }
     return found;
 }
@@ -99,7 +81,7 @@ static bool behind_fabric(const char *text, size_t at)
         at--;
     for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
         at--;
-    return end > at && word_in(text + at, fabric, sizeof fabric / sizeof *fabric) >= 0;
+    return end > at && words_find(text + at, fabric, sizeof fabric / sizeof *fabric) >= 0;
 }
 
 /* `(left border)`; `(K1, P1)` behind `seed stitch`, which it begins with, where it is not worked so many times. */
@@ -117,7 +99,7 @@ static size_t remark_length(const char *text, size_t at)
         return 0;
     here += close + 1;
     here += strspn(here, " \t");
-    return isdigit((unsigned char)*here) || word_in(here, times, sizeof times / sizeof *times) >= 0 ? 0 : close + 1;
+    return isdigit((unsigned char)*here) || words_find(here, times, sizeof times / sizeof *times) >= 0 ? 0 : close + 1;
 }
 
 /* How long `(40 sts)`, `[40 sts rem]` is; or 0. */
@@ -127,8 +109,8 @@ static size_t asserted_length(const char *text)
     size_t at = 1 + strspn(text + 1, " "), digits = strspn(text + at, "0123456789"), n;
 
     at += digits;
-    for (at += strspn(text + at, " "); (n = word_length(text + at)) > 0; at += n, at += strspn(text + at, " "))
-        if (!digits || word_in(text + at, words, sizeof words / sizeof *words) < 0)
+    for (at += strspn(text + at, " "); (n = words_length(text + at)) > 0; at += n, at += strspn(text + at, " "))
+        if (!digits || words_find(text + at, words, sizeof words / sizeof *words) < 0)
             return 0;
     return digits && isalpha((unsigned char)text[at - 1]) && text[at] == (*text == '(' ? ')' : ']') ? at + 1 : 0;
 }
@@ -145,8 +127,8 @@ static size_t caption_length(const char *text, char plain[static SIGNS_PLAIN])
     if (!count || count >= SIGNS_PLAIN)
         return 0;
     for (; text[at] && !strchr("\r\n", text[at]); at += n ? n : 1) {
-        n = word_length(text + at);
-        if (n ? word_in(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
+        n = words_length(text + at);
+        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
             return 0;
         words |= n > 0;
     }
@@ -163,9 +145,9 @@ static size_t other_counts_length(const char *text, size_t at)
     static const char *const sts[] = {"st", "sts", "stitch", "stitches"};
     size_t close = at + 1 + strspn(text + at + 1, "0123456789, "), end = close + 1 + strspn(text + close + 1, " "), digits = at;
 
-    if (text[close] != ')' || close == at + 1 || word_in(text + end, sts, sizeof sts / sizeof *sts) < 0)
+    if (text[close] != ')' || close == at + 1 || words_find(text + end, sts, sizeof sts / sizeof *sts) < 0)
         return 0;
-    end += word_length(text + end);
+    end += words_length(text + end);
     end += strspn(text + end, " .)]");
     while (digits > 0 && text[digits - 1] == ' ')
         digits--;
@@ -219,7 +201,7 @@ static bool in_expression(const char *text, size_t at)
 
     while (line > 0 && !strchr("\r\n", text[line - 1]))
         line--;
-    return memchr(text + line, '=', at - line) || word_in(text + line + strspn(text + line, " \t"), words, sizeof words / sizeof *words) >= 0;
+    return memchr(text + line, '=', at - line) || words_find(text + line + strspn(text + line, " \t"), words, sizeof words / sizeof *words) >= 0;
 }
 
 /* `[18]` that ends a line: its bytes. */
@@ -239,9 +221,9 @@ static bool row_begins(const char *text, size_t at)
     static const char *const rows[] = {"row", "rows", "round", "rounds", "rnd", "rnds"},
                              *const leads[] = {"repeat", "rep", "as", "and", "work", "to", "from", "of", "in", "on", "by", "through",
                                                "the", "last", "like", "then", "next", "rs", "ws", "with", "until", "pattern", "all", "every", "each"};
-    size_t word = at + 1 + word_length(text + at + 1), number = word + (text[word] == ' '), end = number, line = at, before;
+    size_t word = at + 1 + words_length(text + at + 1), number = word + (text[word] == ' '), end = number, line = at, before;
 
-    if (word_in(text + at + 1, rows, 6) < 0 || number == word)
+    if (words_find(text + at + 1, rows, 6) < 0 || number == word)
         return false;
     end += strspn(text + end, "0123456789");
     while (line > 0 && !strchr("\r\n", text[line - 1]))
@@ -250,7 +232,7 @@ static bool row_begins(const char *text, size_t at)
         before--;
     if (end == number || at == line || !(text[end] == ':' || strncmp(text + end, " (RS):", 6) == 0 || strncmp(text + end, " (WS):", 6) == 0) || !(isalnum((unsigned char)text[at - 1]) || text[at - 1] == ')'))
         return false;
-    return memchr(text + line, ':', at - line) && word_in(text + line, rows, 6) >= 0 && word_in(text + before, leads, sizeof leads / sizeof *leads) < 0;
+    return memchr(text + line, ':', at - line) && words_find(text + line, rows, 6) >= 0 && words_find(text + before, leads, sizeof leads / sizeof *leads) < 0;
 }
 
 /* The dash of `k5 - border`, with its remark: up to a mark or the line's end. */
@@ -287,13 +269,13 @@ static bool is_between_rows(const char *text, size_t at)
         return false;
     for (end = word; word > 0 && isalpha((unsigned char)text[word - 1]);)
         word--;
-    if (end == word || word_in(text + word, rows, sizeof rows / sizeof *rows) < 0)
+    if (end == word || words_find(text + word, rows, sizeof rows / sizeof *rows) < 0)
         return false;
     while (word > 0 && text[word - 1] == ' ')
         word--;
     while (word > 0 && isalpha((unsigned char)text[word - 1]))
         word--;
-    return word_in(text + word, again, sizeof again / sizeof *again) < 0;
+    return words_find(text + word, again, sizeof again / sizeof *again) < 0;
 }
 
 /* `3rd and 4th rows` behind `work`, `then`: its bytes, and `rows 3 and 4`. */
@@ -308,26 +290,26 @@ static size_t ordinals_length(const char *text, size_t at, char plain[static SIG
         before--;
     while (before > 0 && isalpha((unsigned char)text[before - 1]))
         before--;
-    if (before == at || word_in(text + before, leads, sizeof leads / sizeof *leads) < 0)
+    if (before == at || words_find(text + before, leads, sizeof leads / sizeof *leads) < 0)
         return 0;
     for (int i = 0; i < 2; i++) {
         n = strspn(text + here, "0123456789");
-        if (!n || n > 4 || word_in(text + here + n, ends, sizeof ends / sizeof *ends) < 0)
+        if (!n || n > 4 || words_find(text + here + n, ends, sizeof ends / sizeof *ends) < 0)
             return 0;
         number[i] = atoi(text + here);
         here += n + 2 + strspn(text + here + n + 2, " ");
-        join = i == 0 ? word_in(text + here, joins, 2) : join;
+        join = i == 0 ? words_find(text + here, joins, 2) : join;
         if (join < 0)
             break;
-        here += i == 0 ? word_length(text + here) + 1 : 0;
+        here += i == 0 ? words_length(text + here) + 1 : 0;
     }
-    if (word_in(text + here, rows, sizeof rows / sizeof *rows) < 0)
+    if (words_find(text + here, rows, sizeof rows / sizeof *rows) < 0)
         return 0;
     if (join < 0)
         snprintf(plain, SIGNS_PLAIN, "row %d", number[0]);
     else
         snprintf(plain, SIGNS_PLAIN, "rows %d %s %d", number[0], joins[join], number[1]);
-    here += word_length(text + here) - at;
+    here += words_length(text + here) - at;
     return strlen(plain) <= here ? here : 0;
 }
 

@@ -511,8 +511,9 @@ static size_t cast_on_sizes(const char *text, int *n)
 {
     size_t bracket = 0;
 
-    for (size_t at = 0; text[at] && !bracket; at++) {
-        size_t cast = at == 0 || !isalnum((unsigned char)text[at - 1]) ? one_of("cast on|co", text + at) : 0, digits;
+    for (size_t at = strcspn(text, "cC"); text[at] && !bracket; at += 1 + strcspn(text + at + 1, "cC")) {
+        bool begins = at == 0 || !isalnum((unsigned char)text[at - 1]);
+        size_t cast = begins ? one_of("cast on|co", text + at) : 0, digits;
 
         if (!cast)
             continue;

@@ -193,8 +193,9 @@ void two_level_multiply(const struct two_level *t, const double *v, double *y)
     multiply(t, v, y);
 }
 
-/* z += D^-1 r / 2.  Four nodes share an element, so that 4 D - H is a sum of positive semidefinite ones over the
- * elements: no eigenvalue of D^-1 H is above four, and half a step does not overshoot by more than it was off. */
+/* z += D^-1 r / 2.  Four nodes share an element: where the elements' own Hessians are positive semidefinite, as in the
+ * semidefinite one, so is 4 D - H, no eigenvalue of D^-1 H is above four and half a step overshoots by no more than it
+ * was off.  Of the exact one that is not certain: a negative r.z ends the iteration as a negative direction does. */
 static void add_half_of_blocks(const struct two_level *t, const double *r, double *z)
 {
     int m = t->fine->block;
@@ -244,8 +245,8 @@ struct two_level_result two_level_solve(struct two_level *t, const double *g, do
             t->v[i] = -t->z[i] + keep * t->v[i];
         multiply(t, t->v, t->Hv);
         double curvature = vector_dot(n, t->v, t->Hv);
-        if (!(curvature > 0)) {
-            result.end = rho > 0 ? TWO_LEVEL_NEGATIVE : TWO_LEVEL_DONE;
+        if (!(curvature > 0) || !(rho > 0)) {
+            result.end = rho == 0 ? TWO_LEVEL_DONE : TWO_LEVEL_NEGATIVE;
             if (negative)
                 memcpy(negative, t->v, sizeof *negative * (size_t)n);
             break;

@@ -5,8 +5,7 @@
  * I - M^-1 H = (I - D^-1 H / 2) (I - P H_coarse^-1 P^T H) (I - D^-1 H / 2).
  * H_coarse is P^T H P once two_level_renew was called (soft modes are told apart
  * by little: with the coarse level's own Hessian at its own minimum the steps
- * were up to five times as many).
- */
+ * were up to five times as many). */
 #ifndef WEFT_TWO_LEVEL_H
 #define WEFT_TWO_LEVEL_H
 

@@ -93,6 +93,24 @@ opens() {
     fi
 }
 
+# await COMMAND...: waits until the command succeeds, a minute at most.
+await() {
+    tries=0
+    until "$@" || [ "$tries" -ge 1200 ]; do
+        sleep 0.05
+        tries=$((tries + 1))
+    done
+}
+
+# no_kind COMMAND FILE: a kind before the name, as `weft run -o` has it, is none of a script's.
+no_kind() {
+    exits 2 'a kind before the name' sh -c 'cd "$1" && "$2" "$3" "$4" -o foo:x.knit' - "$work" "$WEFT" "$@"
+    err 'is refused' "'foo:x.knit' names another"
+    check 'and nothing is written' test ! -e "$work/foo:x.knit"
+    exits 0 'with its folder' sh -c 'cd "$1" && "$2" "$3" "$4" -o ./foo:x.knit' - "$work" "$WEFT" "$@"
+    check 'it is a name' test -s "$work/foo:x.knit"
+}
+
 # sanitized PROGRAM: is it built with the address sanitizer, whose own memory is beyond any limit?
 sanitized() {
     grep -aq __asan_init "$1"

@@ -193,12 +193,7 @@ for file in "$work"/library/*.knit; do
     same "$(basename "$file" .knit)" "$work/wanted.txt"
 done
 
-# A kind, as `weft run -o` has it, is none of a script's.
 printf 'KP\nPK\n' >"$work/kind.txt"
-exits 2 'a kind before the name' sh -c 'cd "$1" && "$2" import kind.txt -o foo:x.knit' - "$work" "$WEFT"
-err 'is refused' "'foo:x.knit' names another"
-check 'and nothing is written' test ! -e "$work/foo:x.knit"
-exits 0 'with its folder' sh -c 'cd "$1" && "$2" import kind.txt -o ./foo:x.knit' - "$work" "$WEFT"
-check 'it is a name' test -s "$work/foo:x.knit"
+no_kind import kind.txt
 
 finish

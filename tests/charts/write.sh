@@ -204,12 +204,7 @@ printf 'Cast on 4\nRow 1: knit\nRow 2: purl\n' >"$work/rows.knit"
 exits 0 'a script of rows' "$WEFT" write "$work/rows.knit"
 out 'is written as rows' '^Row 2 (WS): purl'
 
-# A kind, as `weft run -o` has it, is none of a script's.
 printf 'Row 1: k2, p2\n' >"$work/kind.knit"
-exits 2 'a kind before the name' sh -c 'cd "$1" && "$2" write kind.knit -o foo:x.knit' - "$work" "$WEFT"
-err 'is refused' "'foo:x.knit' names another"
-check 'and nothing is written' test ! -e "$work/foo:x.knit"
-exits 0 'with its folder' sh -c 'cd "$1" && "$2" write kind.knit -o ./foo:x.knit' - "$work" "$WEFT"
-check 'it is a name' test -s "$work/foo:x.knit"
+no_kind write kind.knit
 
 finish

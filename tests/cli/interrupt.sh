@@ -43,11 +43,7 @@ stop() {
     shift
     $listening "$WEFT" run "$work/slow.knit" --steps 40 "$@" >"$work/out" 2>"$work/err" &
     job=$!
-    tries=0
-    while [ ! -e "$folder/x_01.vtp" ] && [ "$tries" -lt 600 ]; do
-        sleep 0.1
-        tries=$((tries + 1))
-    done
+    await test -e "$folder/x_01.vtp"
     kill -s "$signal" "$job"
     status=0
     wait "$job" || status=$?

@@ -43,11 +43,7 @@ check 'leaves no checkpoint' test ! -e "$work/whole/r.checkpoint"
 # Killed once the fifth step stands.
 (cd "$work/killed" && exec "$WEFT" run ../x.knit -j 2 >/dev/null 2>&1) &
 job=$!
-tries=0
-while [ ! -e "$work/killed/x_05.vtp" ] && [ "$tries" -lt 600 ]; do
-    sleep 0.02
-    tries=$((tries + 1))
-done
+await test -e "$work/killed/x_05.vtp"
 kill -s KILL "$job"
 wait "$job" 2>/dev/null
 check 'killed' test ! -e "$work/killed/r.json"
@@ -83,11 +79,7 @@ err 'is said' 'there is no r.checkpoint to go on from: the run begins anew'
 # Stopped politely it says what can be done.
 (cd "$work/killed" && exec "$WEFT" run ../x.knit -j 2 -q --steps 2000 2>"$work/err") &
 job=$!
-tries=0
-while [ ! -e "$work/killed/x_0003.vtp" ] && [ "$tries" -lt 600 ]; do
-    sleep 0.02
-    tries=$((tries + 1))
-done
+await test -e "$work/killed/x_0003.vtp"
 kill -s TERM "$job"
 status=0
 wait "$job" || status=$?

@@ -31,11 +31,7 @@ KNIT
 begin() {
     setsid "$@" "$WEFT" sweep s.knit -j 2 >out 2>err &
     job=$!
-    tries=0
-    while [ "$(ls s.sweep/[12]-*/point.json s.sweep/3-*/x_005.vtp 2>/dev/null | wc -l)" -lt 3 ] && [ "$tries" -lt 600 ]; do
-        sleep 0.05
-        tries=$((tries + 1))
-    done
+    await sh -c 'test "$(ls s.sweep/[12]-*/point.json s.sweep/3-*/x_005.vtp 2>/dev/null | wc -l)" -ge 3'
 }
 
 # gone: no process works on the sweep any more.

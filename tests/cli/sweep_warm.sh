@@ -95,11 +95,7 @@ check 'some points begin at neighbours nevertheless' column snap.sweep start gre
 if command -v setsid >/dev/null 2>&1; then
     setsid "$WEFT" sweep snap.knit --warm -q -j 2 --into killed >/dev/null 2>&1 &
     job=$!
-    tries=0
-    while [ "$(ls killed/*-from-1/point.json 2>/dev/null | wc -l)" -lt 2 ] && [ "$tries" -lt 600 ]; do
-        sleep 0.02
-        tries=$((tries + 1))
-    done
+    await sh -c 'test "$(ls killed/*-from-1/point.json 2>/dev/null | wc -l)" -ge 2'
     kill -s KILL -- "-$job"
     wait "$job" 2>/dev/null
     check 'killed' test ! -e killed/table.csv

@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A place of a text in; what of a knitter's line stands there, out. */
+#include "lang/prose.h"
+
+#include "lang/syntax.h"
+#include "lang/words.h"
+
+bool prose_line_ends(const char *text)
+{
+    text = words_skip_blanks(text);
+    text += *text == '.';
+    return !*words_skip_blanks(text) || strchr("\r\n#", *words_skip_blanks(text));
+}
+
+bool prose_names_row(const char *text)
+{
+    size_t n = strcspn(text, ":\r\n");
+
+    for (size_t i = 0; i < n; i += words_length(text + i) + 1)
+        if (words_are_rows(text + i))
+            return true;
+    return false;
+}
+
+bool prose_statement_follows(const char *text)
+{
+    static const char *const word[] = {"row",  "rows", "round", "rounds", "rnd",    "rnds", "cast", "co",   "bind",
+                                       "knit", "purl", "work",  "rep",    "repeat", "with", "using", "weave", "bo"};
+
+    text += strspn(text, "*_ \t");
+    if (words_behind_number(text))
+        return words_are_rows(words_behind_number(text));
+    return words_find(text, word, sizeof word / sizeof *word) >= 0;
+}
+
+bool prose_has_cast_on(const char *text)
+{
+    static const char *const multiple[] = {"multiple", "mult", "odd", "even", "any", "number"};
+    const char *behind = words_behind_number(text = words_skip_blanks(text));
+
+    if (!behind)
+        return words_find(words_skip_blanks(text + words_length(text)), multiple, sizeof multiple / sizeof *multiple) >= 0;
+    behind += strcspn(behind, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.\r\n");
+    return words_are_stitches(behind);
+}
+
+bool prose_repeats_rows(const char *text)
+{
+    static const char *const word[] = {"for",  "these", "this",    "those", "last", "them", "all", "pattern",
+                                       "previous", "preceding", "in", "as"};
+
+    text = words_skip_blanks(text);
+    if (words_is(text, "from") || words_is(text, "the"))
+        text = words_skip_blanks(text + words_length(text));
+    return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
+           (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
+}
+
+bool prose_fabric_follows(const char *text)
+{
+    static const char *const word[] = {"garter", "g",    "rev",   "reverse", "stockinette", "stocking", "stockinet",
+                                       "st",     "seed", "moss",  "single",  "double"};
+    const char *by = words_skip_blanks(text + strspn(text, "0123456789"));
+
+    return words_find(text, word, sizeof word / sizeof *word) >= 0 ||
+           (isdigit((unsigned char)*text) && ((*by && strchr("xX/\xC3", *by)) || words_is(by, "by"))) ||
+           (strchr("kK", *text) && isdigit((unsigned char)*words_skip_blanks(text + 1)));
+}
+
+bool prose_casts_some(const char *text)
+{
+    static const char *const word[] = {"beg", "beginning", "each", "next"};
+    const char *off = text;
+
+    while (*off && !words_is(off, "off"))
+        off += words_length(off) ? words_length(off) : 1;
+    if (!*off || !isdigit((unsigned char)*words_skip_blanks(off + 3)))
+        return false;
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+        if (words_line_has(text, word[i]))
+            return true;
+    return words_line_has(text, "to") && words_line_has(text, "end");
+}
+
+size_t prose_begins_cast_on(const char *text)
+{
+    const char *on = words_skip_blanks(text + words_length(text));
+
+    if (words_is(text, "co"))
+        return words_behind_number(on) ? 2 : 0;
+    return words_is(text, "cast") && words_is(on, "on") && words_behind_number(words_skip_blanks(on + 2)) ? (size_t)(on + 2 - text) : 0;
+}
+
+size_t prose_rows_within(const char *text)
+{
+    static const char *const work[] = {"knit", "purl", "k", "p", "work"}, *const every[] = {"every", "each", "all"};
+
+    for (size_t i = 1; text[i]; i++) {
+        const char *behind = words_skip_blanks(text + i + words_length(text + i)), *rows = words_behind_number(behind);
+
+        if (isalnum((unsigned char)text[i - 1]) || words_find(text + i, work, sizeof work / sizeof *work) < 0)
+            continue;
+        if ((rows && words_are_rows(rows)) || (words_is(text + i, "work") && prose_row_follows(behind)) || (words_find(behind, every, 3) >= 0 && words_are_rows(words_skip_blanks(behind + words_length(behind)))) ||
+            (words_is(text + i, "work") && words_is(behind, "in") && prose_fabric_follows(words_skip_blanks(behind + 2))))
+            return i;
+    }
+    return 0;
+}
+
+size_t prose_row_count(const char *sentence)
+{
+    for (size_t i = 1; sentence[i]; i++) {
+        const char *behind = isspace((unsigned char)sentence[i - 1]) ? words_behind_number(sentence + i) : NULL;
+
+        if (behind && words_is(behind, "more"))
+            behind = words_skip_blanks(behind + 4);
+        if (behind && words_are_rows(behind))
+            return i;
+    }
+    return 0;
+}
+
+static bool says_how_often(const char *text)
+{
+    static const char *const word[] = {"once", "twice", "times", "time", "more", "until", "for"};
+
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+        if (words_line_has(text, word[i]))
+            return true;
+    return false;
+}
+
+/* `k2, p2`, `*p1`, `knit`, `knit to end`, `rep row 1`. */
+bool prose_stitches_follow(const char *text)
+{
+    static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const behind[] = {"to", "across", "all"},
+                     *const same[] = {"as", "rep", "repeat"};
+    const char *next;
+
+    text += strspn(text, " \t|");
+    if ((*text == '*' && text[1] != '*') || (*text == '(' && syntax_is_row(text + 1)) || (*text == '[' && syntax_is_row(text + 1)))
+        return true;
+    next = words_skip_blanks(text + words_length(text));
+    if (words_find(text, same, 3) >= 0)
+        return (words_are_rows(next) && !says_how_often(next)) || (isdigit((unsigned char)*next) && prose_line_ends(next + strspn(next, "0123456789")));
+    if (words_find(text, stitch, 4) < 0 && !(strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
+        return false;
+    return isdigit((unsigned char)text[1]) || !*next || strchr(".,|\r\n", *next) || words_find(next, behind, 3) >= 0 ||
+           (isdigit((unsigned char)*next) && !words_are_rows(words_skip_blanks(next + strspn(next, "0123456789"))));
+}
+
+bool prose_row_line(const char *text)
+{
+    static const char *const stitch[] = {"k", "knit", "p", "purl"};
+    const char *first = text + (*text == '*'), *number = words_skip_blanks(first + words_length(first));
+
+    return words_find(first, stitch, 4) >= 0 && isdigit((unsigned char)*number) && !words_are_rows(words_skip_blanks(number + strspn(number, "0123456789"))) &&
+           !words_line_has(text, "rib") && !words_line_has(text, "ribbing") && !words_line_has(text, "rows") && !words_line_has(text, "more");
+}
+
+bool prose_repeat_follows(const char *text)
+{
+    static const char *const word[] = {"rep", "repeat"};
+
+    return words_find(words_skip_blanks(text), word, 2) >= 0;
+}
+
+bool prose_count_follows(const char *text)
+{
+    const char *sts;
+
+    text = words_skip_blanks(text);
+    sts = words_skip_blanks(text + strspn(text, "0123456789"));
+    return sts > text && words_are_stitches(sts) && prose_line_ends(sts + words_length(sts));
+}
+
+bool prose_times_follow(const char *text)
+{
+    const char *behind = words_behind_number(words_skip_blanks(text));
+
+    return behind && (words_is(behind, "times") || words_is(behind, "time") || words_is(behind, "more"));
+}
+
+bool prose_comma_is_idle(const char *text)
+{
+    return prose_times_follow(text) || *words_skip_blanks(text) == '.' || words_is(words_skip_blanks(text), "or");
+}
+
+bool prose_row_is_named(const char *text)
+{
+    text = words_skip_blanks(text);
+    return words_are_rows(text) && *words_skip_blanks(text + words_length(text)) == ':';
+}
+
+bool prose_is_meaning(const char *text)
+{
+    text += strncasecmp(text, "(s)", 3) == 0 ? 3 : 0;
+    return *words_skip_blanks(text) == '=';
+}
+
+bool prose_row_word(const char *text)
+{
+    return words_find(text, statement_word, nstatement_words) >= 0 || words_are_rows(text);
+}
+
+bool prose_rows_follow(const char *text)
+{
+    const char *behind = *text == '{' ? text + strcspn(text, "}\r\n") : words_behind_number(text);
+
+    if (behind && *behind == '}')
+        behind = words_skip_blanks(behind + 1);
+    if (behind && words_is(behind, "more"))
+        behind = words_skip_blanks(behind + 4);
+    return behind && words_are_rows(behind);
+}
+
+bool prose_row_follows(const char *text)
+{
+    return words_are_rows(text) && isdigit((unsigned char)*words_skip_blanks(text + words_length(text)));
+}
+
+bool prose_is_remark(const char *text)
+{
+    size_t n = 1, longest = 0;
+
+    for (; isalpha((unsigned char)text[n]) || strchr(" ,-!'", text[n] ? text[n] : '.'); n += words_length(text + n) ? words_length(text + n) : 1)
+        longest = words_length(text + n) > longest ? words_length(text + n) : longest;
+    return *text == '(' && longest > 2 && text[n] == ')' && *words_skip_blanks(text + n + 1) == ':';
+}
+
+/* Behind the numbers and the side of a row's head; or NULL. */
+static const char *behind_head(const char *text)
+{
+    if (!words_are_rows(text))
+        return NULL;
+    text = words_skip_blanks(text + words_length(text));
+    if (!isdigit((unsigned char)*text))
+        return NULL;
+    while (isdigit((unsigned char)*text) || strchr(" \t-,&()", *text ? *text : '.') || words_is(text, "and") || words_is(text, "to") ||
+           words_is(text, "rs") || words_is(text, "ws"))
+        text += words_length(text) ? words_length(text) : 1;
+    return text;
+}
+
+bool prose_pattern_follows(const char *text)
+{
+    static const char *const multiple[] = {"multiple", "mult"};
+    const char *head = behind_head(text), *number = words_skip_blanks(text + words_length(text));
+
+    if (head)
+        return *head == ':' || prose_stitches_follow(head);
+    if (words_is(text, "co"))
+        return prose_has_cast_on(number);
+    if (words_is(text, "cast"))
+        return words_is(number, "on") && prose_has_cast_on(number + 2);
+    return words_find(text, multiple, 2) >= 0 && words_is(number, "of");
+}
+
+size_t prose_sizes_length(const char *text, int *n)
+{
+    const char *at = text + 1, *close;
+
+    for (*n = 0; isdigit((unsigned char)*(at += strspn(at, " \t"))); ++*n) {
+        at += strspn(at, "0123456789");
+        at += strspn(at, " \t");
+        if (!strchr(",:/-", *at) || !*at) {
+            ++*n;
+            break;
+        }
+        at++;
+    }
+    close = at + strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ \t.");
+    if (*close != (*text == '(' ? ')' : ']') || (*n == 1 && close > at))
+        return 0;
+    return *n ? (size_t)(close + 1 - text) : 0;
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A place of a text in; what the words there count or say how many, out. */
+#include "lang/words.h"
+
+bool words_are_rows(const char *text)
+{
+    static const char *const word[] = {"row", "rows", "round", "rounds", "rnd", "rnds", "rd", "rds"};
+
+    return words_find(text, word, sizeof word / sizeof *word) >= 0;
+}
+
+bool words_are_stitches(const char *text)
+{
+    static const char *const word[] = {"st", "sts", "stitch", "stitches"};
+
+    return words_find(text, word, sizeof word / sizeof *word) >= 0;
+}
+
+const char *words_behind_number(const char *text)
+{
+    static const char *const word[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
+    size_t digits = strspn(text, "0123456789");
+
+    if (digits)
+        return words_skip_blanks(text + digits);
+    return words_find(text, word, sizeof word / sizeof *word) >= 0 ? words_skip_blanks(text + words_length(text)) : NULL;
+}

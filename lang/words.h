@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Words of a text, as a knitter writes them: letters alone, upper or lower case. */
+#ifndef WEFT_WORDS_H
+#define WEFT_WORDS_H
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+#include <strings.h>
+
+/* The letters a text begins with. */
+static inline size_t words_length(const char *text)
+{
+    size_t n = 0;
+
+    while (isalpha((unsigned char)text[n]))
+        n++;
+    return n;
+}
+
+static inline const char *words_skip_blanks(const char *text)
+{
+    return text + strspn(text, " \t\f\v");
+}
+
+/* The number of the word of a list that a text begins with; -1: none. */
+static inline int words_find(const char *text, const char *const *word, int n)
+{
+    size_t length = words_length(text);
+
+    for (int i = 0; i < n; i++)
+        if (strlen(word[i]) == length && strncasecmp(text, word[i], length) == 0)
+            return i;
+    return -1;
+}
+
+static inline bool words_is(const char *text, const char *word)
+{
+    return words_find(text, &word, 1) == 0;
+}
+
+/* ---- on the rest of a line ---- */
+
+static inline size_t words_line_length(const char *text)
+{
+    return strcspn(text, "\r\n");
+}
+
+static inline bool words_line_has(const char *text, const char *word)
+{
+    size_t n = words_line_length(text);
+
+    for (size_t i = 0; i < n; i += words_length(text + i) + 1)
+        if (words_is(text + i, word))
+            return true;
+    return false;
+}
+
+/* ---- what they mean ---- */
+
+/* "row", "rnds" */
+bool words_are_rows(const char *text);
+
+/* "st", "stitches" */
+bool words_are_stitches(const char *text);
+
+/* Behind a number in figures or in letters; or NULL. */
+const char *words_behind_number(const char *text);
+
+#endif
