@@ -3,12 +3,13 @@ noinst_LIBRARIES += liblang.a
 liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/codes.h lang/compile.h \
     lang/diag.h lang/diag.c lang/diag_print.c lang/grid.c lang/limits.h lang/source.c \
     lang/names.h lang/names.c lang/ast.h lang/ast.c lang/parse.h lang/parse.c \
-    lang/scanner.h lang/scanner.c lang/syntax.h lang/syntax.c lang/expected.h lang/expected.c lang/words.h lang/words.c lang/prose.h lang/prose.c lang/prose_parts.c lang/wording.h lang/wording.c \
+    lang/scanner.h lang/scanner.c lang/token_values.h lang/token_values.c lang/unreadable.c lang/brackets.c lang/line_ends.c \
+    lang/syntax.h lang/syntax.c lang/expected.h lang/expected.c lang/words.h lang/words.c lang/prose.h lang/prose.c lang/prose_parts.c lang/wording.h lang/wording.c \
     lang/phrases.h lang/phrases.c \
     lang/signs.h lang/signs.c \
     lang/typos.h lang/typos.c \
     lang/eval.h lang/eval.c lang/module.c lang/stitches.c lang/motif.c lang/builtin.c lang/body.c lang/lower.h lang/lower.c \
-    lang/refused.h lang/refused.c lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/rows.h lang/rows.c \
+    lang/refused.h lang/refused.c lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/rows.h lang/rows.c lang/row_list.h lang/row_order.c lang/row_again.c lang/row_grid.c \
     lang/row_fit.h lang/row_fit.c lang/row_misfit.h lang/row_misfit.c lang/row_draw.h lang/row_draw.c lang/keys.h lang/keys.c lang/settings.h lang/settings.c lang/outputs.h lang/outputs.c \
     lang/chart_lines.h lang/chart_lines.c lang/format.h lang/format.c lang/layout.h lang/layout.c \
     lang/row_words.h lang/row_words.c lang/spelling.h lang/spelling.c lang/tokens.h lang/tokens.c \
@@ -23,6 +24,7 @@ lang/parser.c: lang/parser.y
 lang/parser.h: lang/parser.c ;
 lang/lexer.c: lang/lexer.l
 	$(AM_V_GEN)$(MKDIR_P) lang && $(FLEX) -o $@ $(srcdir)/lang/lexer.l
-lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/syntax.$(OBJEXT) lang/expected.$(OBJEXT) lang/parse.$(OBJEXT) \
+lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/token_values.$(OBJEXT) \
+    lang/unreadable.$(OBJEXT) lang/brackets.$(OBJEXT) lang/line_ends.$(OBJEXT) lang/syntax.$(OBJEXT) lang/expected.$(OBJEXT) lang/parse.$(OBJEXT) \
     lang/prose.$(OBJEXT) lang/format.$(OBJEXT) lang/row_words.$(OBJEXT) lang/spelling.$(OBJEXT) \
     lang/tokens.$(OBJEXT): lang/parser.h

@@ -63,9 +63,6 @@ void scanner_retreat(struct scanner *, struct span *, size_t length);
 
 /* Each returns the token. */
 int scanner_token(struct scanner *, int kind);
-int scanner_text(struct scanner *, KNIT_STYPE *, int kind, struct span, const char *text, size_t length);
-int scanner_string(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
-int scanner_number(struct scanner *, struct span, KNIT_STYPE *, const char *text, size_t length);
 int scanner_bad_unit(struct scanner *, struct span, const char *text);
 int scanner_fraction(struct scanner *, struct span, const char *text);
 int scanner_lettered(struct scanner *, struct span); /* the letter of "Row 1a" */
@@ -89,21 +86,6 @@ bool scanner_begins_item(const struct scanner *);
 /* `rep` in a row without `from *`: what is repeated is the group before, or the row so far. */
 int scanner_repeat(struct scanner *);
 
-/* Each sets the value only. */
-void scanner_number_of(KNIT_STYPE *, const char *text);
-void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *text);
-void scanner_lower(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
-void scanner_number_word(KNIT_STYPE *, const char *text);
-void scanner_round(KNIT_STYPE *, const char *text);
-void scanner_side(KNIT_STYPE *, const char *text);
-void scanner_starting(KNIT_STYPE *, const char *text);
-bool scanner_remark(KNIT_STYPE *, const char *text);
-
-/* `1 edge st`: so many knit stitches. */
-int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);
-void scanner_all(KNIT_STYPE *, const char *text);
-void scanner_following(KNIT_STYPE *, const char *text);
-
 /* Whether a bracket here holds the numbers of further sizes, `4 (5, 6) times`: reports it. */
 bool scanner_sizes(struct scanner *, struct span bracket);
 
@@ -112,12 +94,6 @@ int scanner_size_list(struct scanner *, struct span);
 
 /* Whether what was read last ends a repeat: its second star, or `rep from *`. */
 bool scanner_closes_repeat(const struct scanner *);
-
-/* `4 k`: a name. */
-int scanner_turned(struct scanner *, KNIT_STYPE *, const char *text);
-
-/* `knit the knits and purl the purls`, or the knits purled and the purls knitted. */
-int scanner_below(struct scanner *, KNIT_STYPE *, struct span, const char *text);
 
 /* Brackets: what kind was opened; the register to go back to, 0 behind a block,
  * -1 where nothing was open. */
@@ -129,6 +105,9 @@ bool scanner_ends_line(struct scanner *, bool in_row, bool in_expression);
 
 /* Whether the next line says how often the rows named on this one are repeated. */
 bool scanner_repeat_goes_on(const struct scanner *);
+
+/* Whether one that ends with the line is open. */
+bool scanner_in_bracket(const struct scanner *);
 
 /* Ends it: forgets open brackets within the line; true inside a block of keys. */
 bool scanner_end_line(struct scanner *);

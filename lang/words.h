@@ -40,6 +40,23 @@ static inline bool words_is(const char *text, const char *word)
     return words_find(text, &word, 1) == 0;
 }
 
+/* The name a text begins with: letters and underscores. */
+static inline size_t words_name_length(const char *text)
+{
+    size_t n = 0;
+
+    while (isalpha((unsigned char)text[n]) || text[n] == '_')
+        n++;
+    return n;
+}
+
+static inline bool words_is_name(const char *text, const char *name)
+{
+    size_t length = words_name_length(text);
+
+    return strlen(name) == length && strncasecmp(text, name, length) == 0;
+}
+
 /* ---- on the rest of a line ---- */
 
 static inline size_t words_line_length(const char *text)

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * The end of a line in; out, whether the statement goes on behind it. */
+#include "lang/scanner.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "lang/prose.h"
+#include "lang/syntax.h"
+#include "lang/words.h"
+
+/* Whether a statement begins here: one of its words and behind it what may follow one. */
+static bool statement_follows(const struct scanner *scanner, const char *text)
+{
+    static const char *const rows[] = {"row",    "rows", "rnd",   "rnds", "round",
+                                       "rounds", "the",  "these", "this", "last"};
+    size_t length = words_name_length(text);
+    const char *behind = text + length + strspn(text + length, " \t");
+
+    if (!length)
+        return false;
+    if (words_is_name(text, "rep") || words_is_name(text, "repeat")) {
+        for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+            if (words_is_name(behind, rows[i]))
+                return true;
+        return false;
+    }
+    /* `k2,` and on the next line `knit 2`. */
+    if (scanner->comma && words_is_name(text, "knit"))
+        return false;
+    for (int i = 0; i < nstatement_words; i++)
+        if (words_is_name(text, statement_word[i]))
+            return isalnum((unsigned char)*behind) || strchr("\"{:(", *behind);
+    return false;
+}
+
+/* A token after which an expression must go on. */
+static bool goes_on(int token)
+{
+    static const int open_ended[] = {
+        '=',
+        ',',
+        ':',
+        '?',
+        '+',
+        '-',
+        '*',
+        '/',
+        '<',
+        '>',
+        '!',
+        TOKEN_IN,
+        TOKEN_BY,
+        TOKEN_MOD,
+        TOKEN_DOTS,
+        TOKEN_LESS_EQUAL,
+        TOKEN_GREATER_EQUAL,
+        TOKEN_EQUAL,
+        TOKEN_UNEQUAL,
+        TOKEN_AND_AND,
+        TOKEN_OR_OR,
+    };
+
+    for (size_t i = 0; i < sizeof open_ended / sizeof *open_ended; i++)
+        if (token == open_ended[i])
+            return true;
+    return false;
+}
+
+/* What ends a row, behind `end`: `k1`, `with k1`; not `heart`. */
+static bool ends_row(const char *text)
+{
+    static const char *const words[] = {"with", "in", "last", "after", "on", "knit", "purl", "row", "rnd", "round", "rep", "repeat"};
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (words_is_name(text, words[i]))
+            return true;
+    return syntax_is_row(text);
+}
+
+/* In a row: after a comma, an open star or a colon, and before `rep from`. */
+static bool row_goes_on(const struct scanner *scanner, const char *text)
+{
+    static const char *const words[] = {"st", "sts", "stitch", "stitches", "to", "across", "last", "from"};
+    size_t length = words_name_length(text);
+
+    /* `rep from *`, `rep to end`; not `repeat for pattern`, `rep 1st and 2nd rows`. */
+    if (words_is_name(text, "rep") || words_is_name(text, "repeat"))
+        return !prose_repeats_rows(text + length);
+    if (words_is_name(text, "end") || words_is_name(text, "ending"))
+        return ends_row(text + length + strspn(text + length, " \t"));
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (words_is_name(text, words[i]))
+            return !prose_fabric_follows(text + length + strspn(text + length, " \t"));
+    return scanner->comma || ((scanner->star || scanner->stops) && syntax_is_row(text)) || scanner->previous == ':' ||
+           (scanner_in_row_head(scanner) && prose_row_line(text)) || scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL;
+}
+
+bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
+{
+    const char *next = SCANNER_TEXT(scanner);
+
+    if (!*next || (statement_follows(scanner, next) && !(in_row && scanner_in_row_head(scanner) && prose_row_line(next))))
+        return true;
+    if (scanner_in_bracket(scanner))
+        return false;
+    if (in_row)
+        return *next == '}' || !row_goes_on(scanner, next);
+    if (scanner->previous == '}' && words_is_name(next, "else"))
+        return false;
+    if (*next == '{')
+        return false;
+    if (!scanner->statement)
+        return true;
+    return !goes_on(scanner->previous) && !(in_expression ? strchr("?:*/+-&|<>=", *next) != NULL : *next == '=');
+}
+
+bool scanner_repeat_goes_on(const struct scanner *scanner)
+{
+    static const char *const words[] = {"until", "till", "for"};
+    const char *text = SCANNER_TEXT(scanner);
+    bool repeat = scanner->statement == TOKEN_REPEAT_ROWS || scanner->statement == TOKEN_REPEAT_LAST || scanner->statement == TOKEN_REPEAT_THEM;
+
+    if (!repeat || (scanner->previous != TOKEN_NUMBER && scanner->previous != TOKEN_ROW_WORD && scanner->previous != TOKEN_REPEAT_THEM))
+        return false;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (words_is_name(text, words[i]))
+            return true;
+    return prose_times_follow(text);
+}

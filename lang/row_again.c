@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Rows already given in; out, the same worked again. */
+#include <string.h>
+
+#include "lang/limits.h"
+#include "lang/row_list.h"
+
+/* A row worked without a number, where its number is plain: the rows before it are the pattern's only. */
+static struct row_text *unnumbered(const struct row_list *list, int label)
+{
+    if (label < 2 || label > list->norder || list->order[label - 1]->label || list->order[0]->label != 1)
+        return NULL;
+    return list->order[label - 1];
+}
+
+bool rows_labelled(struct row_list *list, struct span span, const int *label, int n, struct row_texts *texts)
+{
+    *texts = (struct row_texts){arena_array(list->arena, struct row_text *, (size_t)n), n};
+    rows_work(list);
+    for (int i = 0; i < n; i++) {
+        texts->text[i] = label[i] > 0 && label[i] < list->label_room ? list->label[label[i]] : NULL;
+        if (!texts->text[i])
+            texts->text[i] = unnumbered(list, label[i]);
+        if (list->failed || texts->text[i])
+            continue;
+        diag_error(list->diag, CODE_ROW_REFERENCE, span, "there is no row %d to repeat", label[i]);
+        row_list_fail(list);
+    }
+    return !list->failed;
+}
+
+struct row_texts rows_last(struct row_list *list, int n)
+{
+    rows_work(list);
+    return (struct row_texts){list->order + list->norder - n, n};
+}
+
+struct row_texts rows_pattern(struct row_list *list, bool going_on)
+{
+    struct row_texts texts = {0};
+    int first, n;
+
+    rows_work(list);
+    first = list->first_label;
+    n = list->last_label - first + 1;
+    if (n < 1 || !list->last_label)
+        return texts;
+    texts = (struct row_texts){arena_array(list->arena, struct row_text *, (size_t)n), n};
+    for (int i = 0; i < n; i++)
+        texts.text[i] = list->label[first + (i + (going_on ? list->worked_label - first + 1 : 0)) % n];
+    return texts;
+}
+
+void rows_define(struct row_list *list)
+{
+    rows_work(list);
+    list->norder = 0;
+    list->start = SIDE_OPEN;
+    list->worked_label = 0;
+    list->loose = true;
+}
+
+bool rows_worked(const struct row_list *list, struct row_texts texts)
+{
+    for (int i = 0; i < list->norder && texts.n; i++)
+        if (list->order[i] == texts.text[0])
+            return true;
+    return list->failed || !texts.n;
+}
+
+bool rows_just_worked(const struct row_list *list, struct row_texts texts)
+{
+    int first = list->norder - texts.n;
+
+    if (list->failed || first < 0 || !texts.n || memcmp(list->order + first, texts.text, (size_t)texts.n * sizeof *texts.text) != 0)
+        return false;
+    for (int i = 0; i < first; i++)
+        if (list->order[i] == texts.text[0])
+            return false;
+    return true;
+}
+
+void rows_both_sides(struct row_list *list, struct row_texts texts)
+{
+    if (texts.n == 1 && list->norder && list->order[list->norder - 1] == texts.text[0])
+        texts.text[0]->side = SIDE_OPEN;
+}
+
+/* The label of the row worked last, for `continue in pattern`. */
+static void remember_label(struct row_list *list)
+{
+    for (int label = list->first_label; label <= list->last_label; label++)
+        if (list->norder && list->label[label] == list->order[list->norder - 1])
+            list->worked_label = label;
+}
+
+void rows_again(struct row_list *list, struct span span, struct row_texts texts, long long times, long long total)
+{
+    int n = texts.n;
+    struct row_text **text = arena_array(list->arena, struct row_text *, (size_t)n + 1);
+
+    rows_work(list);
+    list->span = span;
+    list->loose = true;
+    if (list->failed || !n)
+        return;
+    if (times > LIMIT_ROWS / n || total > LIMIT_ROWS) {
+        diag_error(list->diag, CODE_LIMIT_ROWS, span, "this makes more than %d rows", LIMIT_ROWS);
+        row_list_fail(list);
+        return;
+    }
+
+    /* The order grows, and `texts` may lie in it. */
+    memcpy(text, texts.text, (size_t)n * sizeof *text);
+    row_list_begin_on_side_of(list, text[0]);
+    for (long long pass = 0; times ? pass < times : list->norder < total; pass++)
+        for (int i = 0; i < n && (times || list->norder < total); i++) {
+            row_list_check_side(list, text[i], list->norder, n);
+            if (list->failed || !row_list_append(list, text[i]))
+                return;
+        }
+    remember_label(list);
+}

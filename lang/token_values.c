@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Texts of tokens in, their values out: numbers with units, sides, fabrics, kinds of rows. */
+#include "lang/token_values.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "lang/words.h"
+
+int scanner_text(struct scanner *scanner, KNIT_STYPE *value, int kind, struct span span, const char *text,
+                 size_t length)
+{
+    struct parse *parse = scanner->parse;
+
+    if (kind == TOKEN_NAME && length > LIMIT_NAME) {
+        span.end = span.start + LIMIT_NAME;
+        diag_error(parse->diag, CODE_LIMIT_NAMES, span, "this name is %zu bytes long; a name may have %d",
+                   length, LIMIT_NAME);
+        return TOKEN_KNIT_error;
+    }
+    value->text = names_intern(parse->names, text, length);
+    return scanner_token(scanner, kind);
+}
+
+int scanner_string(struct scanner *scanner, KNIT_STYPE *value, const char *text, size_t length)
+{
+    value->text = names_intern(scanner->parse->names, text + 1, length - 2);
+    return scanner_token(scanner, TOKEN_STRING);
+}
+
+void scanner_lower(struct scanner *scanner, KNIT_STYPE *value, const char *text, size_t length)
+{
+    char lower[LIMIT_NAME];
+
+    for (size_t i = 0; i < length; i++)
+        lower[i] = (char)tolower((unsigned char)text[i]);
+    value->text = names_intern(scanner->parse->names, lower, length);
+}
+
+/* What a unit does to the number before it; lengths are kept in millimetres. */
+static const struct unit {
+    const char *name;
+    double factor;
+    int dimension;
+} units[] = {{"%", 0.01, 0}, {"mm", 1, 1}, {"cm", 10, 1}, {"m", 1000, 1}, {"in", 25.4, 1}};
+
+int scanner_number(struct scanner *scanner, struct span span, KNIT_STYPE *value, const char *text,
+                   size_t length)
+{
+    char digits[64], *end;
+    struct diag *diag = scanner->parse->diag;
+
+    if (length >= sizeof digits) {
+        diag_error(diag, CODE_NUMBER, span, "a number of %zu characters is too long", length);
+        return TOKEN_KNIT_error;
+    }
+    memcpy(digits, text, length);
+    digits[length] = '\0';
+    value->number.value = strtod(digits, &end);
+    value->number.dimension = 0;
+    end += strspn(end, " \t\f\v\xC2\xA0");
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (strcasecmp(end, units[i].name) == 0) {
+            value->number.value *= units[i].factor;
+            value->number.dimension = units[i].dimension;
+        }
+    if (!isfinite(value->number.value)) {
+        diag_error(diag, CODE_NUMBER, span, "this number is too large to be represented");
+        return TOKEN_KNIT_error;
+    }
+    return scanner_token(scanner, TOKEN_NUMBER);
+}
+
+void scanner_number_word(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        int number;
+    } words[] = {{"once", 1},  {"one", 1},  {"twice", 2}, {"two", 2},     {"thrice", 3},
+                 {"three", 3}, {"four", 4}, {"five", 5},  {"six", 6},     {"seven", 7},
+                 {"eight", 8}, {"nine", 9}, {"ten", 10},  {"eleven", 11}, {"twelve", 12},
+                 {"first", 1}, {"second", 2}, {"third", 3}, {"fourth", 4},   {"fifth", 5},
+                 {"sixth", 6}, {"seventh", 7}, {"eighth", 8}, {"ninth", 9},  {"tenth", 10},
+                 {"eleventh", 11}, {"twelfth", 12}};
+
+    value->number.value = 1;
+    value->number.dimension = 0;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcasecmp(text, words[i].word) == 0)
+            value->number.value = words[i].number;
+}
+
+/* Whether the last word is `rnd`, `rounds`, `rds`; not `row`, not `r`. */
+static bool ends_with_round(const char *text)
+{
+    const char *word = text + strlen(text);
+
+    while (word > text && (isalpha((unsigned char)word[-1]) || word[-1] == '.'))
+        word--;
+    return tolower((unsigned char)*word) == 'r' && isalpha((unsigned char)word[1]) &&
+           strncasecmp(word, "row", 3) != 0 && strcasecmp(word, "rs") != 0;
+}
+
+/* SIDE_RS stands for "in the round". */
+void scanner_round(KNIT_STYPE *value, const char *text)
+{
+    value->side = ends_with_round(text) ? SIDE_RS : SIDE_OPEN;
+}
+
+void scanner_side(KNIT_STYPE *value, const char *text)
+{
+    while (*text && !strchr("rRwW", *text))
+        text++;
+    value->side = tolower((unsigned char)*text) == 'r' ? SIDE_RS : SIDE_WS;
+}
+
+/* "starting with a purl row", "beg on a WS row" */
+void scanner_starting(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        enum side side;
+    } sides[] = {{"p", SIDE_OF_PURL}, {"purl", SIDE_OF_PURL}, {"k", SIDE_OF_KNIT}, {"knit", SIDE_OF_KNIT},
+                 {"ws", SIDE_WS}, {"wrong", SIDE_WS}};
+
+    value->side = SIDE_RS;
+    for (; *text; text += strcspn(text, " \t\f\v"), text += strspn(text, " \t\f\v"))
+        for (size_t i = 0; i < sizeof sides / sizeof *sides; i++)
+            if (words_is(text, sides[i].word))
+                value->side = sides[i].side;
+}
+
+/* "(set-up row, WS)": whether a side is among the words. */
+bool scanner_remark(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        enum side side;
+    } sides[] = {{"rs", SIDE_RS}, {"right", SIDE_RS}, {"ws", SIDE_WS}, {"wrong", SIDE_WS}};
+
+    for (; *text; text += words_length(text) ? words_length(text) : 1)
+        for (size_t i = 0; i < sizeof sides / sizeof *sides; i++)
+            if (words_is(text, sides[i].word)) {
+                value->side = sides[i].side;
+                return true;
+            }
+    return false;
+}
+
+int scanner_edge(struct scanner *scanner, KNIT_STYPE *value, const char *text)
+{
+    char name[32];
+
+    scanner_number_word(value, text);
+    if (isdigit((unsigned char)*text))
+        value->number.value = strtod(text, NULL);
+    snprintf(name, sizeof name, "k%.0f", fmin(value->number.value, 999999));
+    value->text = names_intern(scanner->parse->names, name, strlen(name));
+    return scanner_token(scanner, TOKEN_NAME);
+}
+
+/* "4 k": "k4". */
+int scanner_turned(struct scanner *scanner, KNIT_STYPE *value, const char *text)
+{
+    size_t digits = strspn(text, "0123456789"), word = strcspn(text, "kpKP");
+    char name[LIMIT_NAME];
+
+    snprintf(name, sizeof name, "%c%.*s", text[word], (int)(digits < 9 ? digits : 9), text);
+    value->text = names_intern(scanner->parse->names, name, strlen(name));
+    return scanner_token(scanner, TOKEN_NAME);
+}
+
+/* "knit the knits and purl the purls": as below; with the two exchanged: the opposite. */
+int scanner_below(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *text)
+{
+    char letter[4];
+    int n = 0;
+
+    for (size_t at = 0, length; text[at] && n < 4; at += length + (length == 0)) {
+        length = words_length(text + at);
+        if (length && strchr("kKpP", text[at]))
+            letter[n++] = (char)tolower((unsigned char)text[at]);
+    }
+    if (n < 4 || letter[0] == letter[2] || letter[1] == letter[3]) {
+        diag_error(scanner->parse->diag, CODE_SYNTAX, span, "which stitches are to be knitted, and which purled, cannot be told from this");
+        return TOKEN_KNIT_error;
+    }
+    value->opposite = letter[0] != letter[1];
+    return scanner_token(scanner, TOKEN_AS_BELOW);
+}
+
+/* "an even number of", "any number of". */
+void scanner_number_of(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        int of, plus;
+    } words[] = {{"even", 2, 0}, {"odd", 2, 1}, {"uneven", 2, 1}, {"any", 1, 0}};
+
+    value->parity.of = 1;
+    value->parity.plus = 0;
+    for (; *text; text += *text ? 1 : 0) {
+        for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+            if (words_is(text, words[i].word)) {
+                value->parity.of = words[i].of;
+                value->parity.plus = words[i].plus;
+            }
+        text += words_length(text);
+        if (!*text)
+            break;
+    }
+}
+
+/* "k2, p2 rib", "3 x 3 rib", "double rib": the numbers of a rib. */
+static struct fabric rib_of(const char *text)
+{
+    struct fabric rib = {FABRIC_RIB, 1, 1};
+    int *number[] = {&rib.knit, &rib.purl};
+
+    if (words_is(text, "double"))
+        rib.knit = rib.purl = 2;
+    for (int i = 0; i < 2 && *(text += strcspn(text, "0123456789")); i++) {
+        size_t length = strspn(text, "0123456789");
+
+        *number[i] = length < 6 ? atoi(text) : 999999;
+        text += length;
+    }
+    return rib;
+}
+
+void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *text)
+{
+    static const struct {
+        const char *first;
+        enum fabric_kind kind;
+    } fabrics[] = {{"garter", FABRIC_GARTER}, {"g ", FABRIC_GARTER}, {"rev", FABRIC_REVERSE}, {"st", FABRIC_STOCKINETTE},
+                   {"seed", FABRIC_SEED},     {"moss", FABRIC_SEED}};
+
+    value->fabric = rib_of(text);
+    for (size_t i = 0; i < sizeof fabrics / sizeof *fabrics; i++)
+        if (strncasecmp(text, fabrics[i].first, strlen(fabrics[i].first)) == 0)
+            value->fabric.kind = fabrics[i].kind;
+    if (strncasecmp(text, "moss", 4) == 0) {
+        diag_warning(scanner->parse->diag, CODE_AMBIGUOUS_NAME, span,
+                     "'moss' is two patterns: in Britain what others call seed, in America a pattern of four rows");
+        diag_hint(scanner->parse->diag, "taken as 'seed' (British moss); the American one is `use moss_us from std`");
+    }
+}
+
+/* "every alternate row", "alt rows"; "every following row" is each of them. */
+void scanner_following(KNIT_STYPE *value, const char *text)
+{
+    static const char *const second[] = {"alt", "alternate", "other"};
+
+    value->all.round = ends_with_round(text);
+    value->all.kind = ALL_FOLLOWING;
+    for (; *text; text += words_length(text) + (words_length(text) == 0))
+        for (size_t i = 0; i < sizeof second / sizeof *second; i++)
+            if (words_is(text, second[i]))
+                value->all.kind = ALL_OTHER;
+}
+
+/* "all RS rows", "every following wrong-side row", "all even rows", "every row". */
+void scanner_all(KNIT_STYPE *value, const char *text)
+{
+    static const struct {
+        const char *word;
+        enum all_kind all;
+    } words[] = {{"rs", ALL_RS},    {"right", ALL_RS},  {"ws", ALL_WS},
+                 {"wrong", ALL_WS}, {"even", ALL_EVEN}, {"odd", ALL_ODD}};
+
+    value->all.round = ends_with_round(text);
+    value->all.kind = ALL_EVERY;
+    for (; *text && value->all.kind == ALL_EVERY; text += strspn(text, " \t\f\v-")) {
+        size_t length = strcspn(text, " \t\f\v-");
+
+        for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+            if (length == strlen(words[i].word) && strncasecmp(text, words[i].word, length) == 0)
+                value->all.kind = words[i].all;
+        text += length;
+    }
+}

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * What a token's text means: each function takes a text and sets the token's value. */
+#ifndef WEFT_TOKEN_VALUES_H
+#define WEFT_TOKEN_VALUES_H
+
+#include "lang/scanner.h"
+
+/* Each returns the token. */
+int scanner_text(struct scanner *, KNIT_STYPE *, int kind, struct span, const char *text, size_t length);
+int scanner_string(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
+int scanner_number(struct scanner *, struct span, KNIT_STYPE *, const char *text, size_t length);
+int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);      /* `1 edge st`: so many knit stitches */
+int scanner_turned(struct scanner *, KNIT_STYPE *, const char *text);    /* `4 k`: a name */
+
+/* `knit the knits and purl the purls`, or the knits purled and the purls knitted. */
+int scanner_below(struct scanner *, KNIT_STYPE *, struct span, const char *text);
+
+/* Each sets the value only. */
+void scanner_lower(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
+void scanner_number_word(KNIT_STYPE *, const char *text);
+void scanner_number_of(KNIT_STYPE *, const char *text);
+void scanner_round(KNIT_STYPE *, const char *text);
+void scanner_side(KNIT_STYPE *, const char *text);
+void scanner_starting(KNIT_STYPE *, const char *text);
+void scanner_all(KNIT_STYPE *, const char *text);
+void scanner_following(KNIT_STYPE *, const char *text);
+void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *text);
+
+/* Sets it where a side is among the words. */
+bool scanner_remark(KNIT_STYPE *, const char *text);
+
+#endif

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * What the scanner cannot read in, the message about it and the parser's error token out. */
+#include "lang/scanner.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "lang/prose.h"
+
+int scanner_bad_unit(struct scanner *scanner, struct span span, const char *text)
+{
+    int digits = (int)strspn(text, "0123456789.");
+
+    span.start += (unsigned)digits;
+    diag_error(scanner->parse->diag, CODE_NUMBER, span, "'%s' is no unit", text + digits);
+    diag_hint(scanner->parse->diag, "units are %%, mm, cm, m and in; a product is written with '*'");
+    return TOKEN_KNIT_error;
+}
+
+int scanner_fraction(struct scanner *scanner, struct span span, const char *text)
+{
+    diag_error(scanner->parse->diag, CODE_WHOLE, span, "a whole number is needed here, not %s", text);
+    return TOKEN_KNIT_error;
+}
+
+int scanner_lettered(struct scanner *scanner, struct span span)
+{
+    diag_error(scanner->parse->diag, CODE_ROW_NUMBER, span, "a row's number has no letter");
+    diag_hint(scanner->parse->diag, "number all rows in the order they are worked: `Row 1`, `Row 2` ..");
+    return TOKEN_KNIT_error;
+}
+
+int scanner_open_string(struct scanner *scanner, struct span span)
+{
+    diag_error(scanner->parse->diag, CODE_STRING, span, "this text has no closing quote on its line");
+    return TOKEN_KNIT_error;
+}
+
+/* One complaint per line: what follows a strange character is often strange too. */
+int scanner_character(struct scanner *scanner, struct span span)
+{
+    struct diag *diag = scanner->parse->diag;
+    const struct source *source = span.source;
+    unsigned char c = (unsigned char)source->text[span.start];
+
+    if (c >= 0xC0)
+        while (span.end < source->size && ((unsigned char)source->text[span.end] & 0xC0) == 0x80)
+            span.end++;
+    if (scanner->complained)
+        return TOKEN_KNIT_error;
+    scanner->complained = true;
+    if (c < 0x20 || c == 0x7F || (c >= 0x80 && span.end == span.start + 1))
+        diag_error(diag, CODE_CHARACTER, span, "the byte 0x%02X is no character of a script", c);
+    else
+        diag_error(diag, CODE_CHARACTER, span, "the character '%.*s' has no meaning here",
+                   (int)(span.end - span.start), source->text + span.start);
+    return TOKEN_KNIT_error;
+}
+
+int scanner_size_list(struct scanner *scanner, struct span span)
+{
+    if (scanner->previous == TOKEN_CAST_ON) {
+        diag_error(scanner->parse->diag, CODE_RANGE, span, "a cast-on is a positive count of stitches");
+        return TOKEN_KNIT_error;
+    }
+    diag_error(scanner->parse->diag, CODE_MANY_SIZES, span, "the numbers of several sizes: which is to be knitted is open");
+    diag_hint(scanner->parse->diag, "keep the number of one size");
+    return TOKEN_KNIT_error;
+}
+
+bool scanner_sizes(struct scanner *scanner, struct span bracket)
+{
+    const char *text = scanner->parse->text + bracket.start, *behind;
+    unsigned at = bracket.start;
+    int n;
+    size_t length = strchr("([", *text) ? prose_sizes_length(text, &n) : 0;
+
+    while (at > 0 && scanner->parse->text[at - 1] == ' ')
+        at--;
+    if (!length || at == 0 || !isdigit((unsigned char)scanner->parse->text[at - 1]))
+        return false;
+
+    /* One number alone may be the row's count, which ends it. */
+    behind = text + length + strspn(text + length, " \t");
+    if (n == 1 && !isalnum((unsigned char)*behind) && *behind != ',')
+        return false;
+    bracket.end = bracket.start + (unsigned)length;
+    diag_error(scanner->parse->diag, CODE_MANY_SIZES, bracket, "the numbers of several sizes: which is to be knitted is open");
+    diag_hint(scanner->parse->diag, "keep the number of one size, and leave the brackets out");
+    return true;
+}
