@@ -5,7 +5,8 @@
 #include <string.h>
 
 enum {
-    WRAP       = 66,        /* columns of a line; what closes a row may stand behind them */
+    WRAP       = 66,        /* columns of a line; what closes a row or a repeat may stand behind them, */
+    WRAP_MOST  = 79,        /* to here */
     GROUP_RUNS = 8,         /* runs of one [..] group at most */
     STAR_RUNS  = 128,       /* runs of one repeat from * at most */
     COST_RUN   = 2,         /* of `k2` */
@@ -109,28 +110,22 @@ static int part_cost(struct part p)
 
 /* ---- words ---- */
 
-/* An item with the comma and the line break before it. */
-static void put(struct row_writer *w, const char *item)
+/* An item with the comma and the line break before it, and what closes a repeat or the row behind it. */
+static void put(struct row_writer *w, const char *item, const char *behind)
 {
-    int length = (int)strlen(item);
+    int length = (int)strlen(item), all = length + (int)strlen(behind);
     if (w->begun)
         text_print(w->text, ",");
-    if (w->begun && w->column + length + 2 > WRAP) {
+    if (w->begun && (w->column + length + 2 > WRAP || w->column + all + 2 > WRAP_MOST)) {
         text_print(w->text, "\n%s", w->indent);
         w->column = (int)strlen(w->indent);
     } else if (w->begun) {
         text_print(w->text, " ");
         w->column += 2;
     }
-    text_print(w->text, "%s", item);
-    w->column += length;
+    text_print(w->text, "%s%s", item, behind);
+    w->column += all;
     w->begun = true;
-}
-
-static void append(struct row_writer *w, const char *words)
-{
-    text_print(w->text, "%s", words);
-    w->column += (int)strlen(words);
 }
 
 static const struct entry *entry_of(const struct row_writer *w, struct part p, int i)
@@ -138,30 +133,36 @@ static const struct entry *entry_of(const struct row_writer *w, struct part p, i
     return &w->words->entry[p.runs->worked[p.runs->start[p.runs->run_of[p.from] + i]]];
 }
 
-static void write_run(struct row_writer *w, struct part p, int i, const char *before, const char *behind)
+/* `k2` */
+static const char *run_words(struct row_writer *w, struct part p, int i)
 {
     const struct entry *entry = entry_of(w, p, i);
-    put(w, arena_printf(w->text->arena, "%s%s%s%d%s", before, entry->name, entry->apart ? " " : "", part_length(p, i), behind));
+    return arena_printf(w->text->arena, "%s%s%d", entry->name, entry->apart ? " " : "", part_length(p, i));
 }
 
-static const char *times_words(struct arena *arena, int n)
+/* `[k2, p2] 3 times` */
+static const char *group_words(struct row_writer *w, struct part p, int i, int unit, int times)
 {
-    return n == 2 ? "] twice" : arena_printf(arena, "] %d times", n);
+    struct arena *arena = w->text->arena;
+    const char *words = "[";
+    for (int j = 0; j < unit; j++)
+        words = arena_printf(arena, "%s%s%s", words, j ? ", " : "", run_words(w, p, i + j));
+    return times == 2 ? arena_printf(arena, "%s] twice", words) : arena_printf(arena, "%s] %d times", words, times);
 }
 
-/* The part's items; `before` stands before the first. */
-static void write_part(struct row_writer *w, struct part p, const char *before)
+/* The part's items; `before` stands before the first, `behind` behind the last. */
+static void write_part(struct row_writer *w, struct part p, const char *before, const char *behind)
 {
-    int unit, times;
-    for (int i = 0; i < part_runs(p); before = "") {
-        if (!find_group(p, i, &unit, &times)) {
-            write_run(w, p, i++, before, "");
-            continue;
+    int nruns = part_runs(p), unit, times;
+    for (int i = 0; i < nruns; before = "") {
+        const char *item;
+        if (find_group(p, i, &unit, &times)) {
+            item = group_words(w, p, i, unit, times);
+            i += unit * times;
+        } else {
+            item = run_words(w, p, i++);
         }
-        const char *open = arena_printf(w->text->arena, "%s[", before);
-        for (int j = 0; j < unit; j++)
-            write_run(w, p, i + j, j == 0 ? open : "", j == unit - 1 ? times_words(w->text->arena, times) : "");
-        i += unit * times;
+        put(w, arena_printf(w->text->arena, "%s%s", before, item), i == nruns ? behind : "");
     }
 }
 
@@ -177,12 +178,36 @@ static int star_end(const struct star *star)
     return star->from + star->period * star->times;
 }
 
+/* The three parts of a row that a repeat is in. */
+static struct part before_star(const struct runs *runs, const struct star *star)
+{
+    return (struct part){runs, 0, star->from};
+}
+
+static struct part in_star(const struct runs *runs, const struct star *star)
+{
+    return (struct part){runs, star->from, star->from + star->period};
+}
+
+static struct part behind_star(const struct runs *runs, const struct star *star)
+{
+    return (struct part){runs, star_end(star), runs->n};
+}
+
 /* The cost as long as nobody looks for groups. */
 static int plain_cost(const struct runs *runs, const struct star *star)
 {
-    return COST_STAR + COST_RUN * (part_runs((struct part){runs, 0, star->from}) +
-                                   part_runs((struct part){runs, star->from, star->from + star->period}) +
-                                   part_runs((struct part){runs, star_end(star), runs->n}));
+    return COST_STAR + COST_RUN * (part_runs(before_star(runs, star)) + part_runs(in_star(runs, star)) +
+                                   part_runs(behind_star(runs, star)));
+}
+
+/* With groups, where what is outside the repeat is short. */
+static int star_cost(const struct runs *runs, const struct star *star)
+{
+    struct part before = before_star(runs, star), behind = behind_star(runs, star);
+    if (part_runs(before) + part_runs(behind) > STAR_RUNS)
+        return star->cost;
+    return COST_STAR + part_cost(before) + part_cost(in_star(runs, star)) + part_cost(behind);
 }
 
 /* A repeat is the most of its row; less is a group in brackets. */
@@ -192,7 +217,8 @@ static void offer_star(const struct runs *runs, struct star *best, int from, int
     if (star.times < 2 || 2 * (star_end(&star) - from) < runs->n)
         return;
     star.cost = plain_cost(runs, &star);
-    if (!best->times || star.cost < best->cost)
+    if (!best->times || star.cost < best->cost ||
+        (star.cost == best->cost && star_cost(runs, &star) < star_cost(runs, best)))
         *best = star;
 }
 
@@ -238,10 +264,11 @@ static void write_star(struct row_writer *w, const struct runs *runs, const stru
     const char *until = left == 0   ? "; rep from * to end"
                         : left == 1 ? "; rep from * to last st"
                                     : arena_printf(w->text->arena, "; rep from * to last %d sts", left);
-    write_part(w, (struct part){runs, 0, star->from}, "");
-    write_part(w, (struct part){runs, star->from, star->from + star->period}, "*");
-    append(w, until);
-    write_part(w, (struct part){runs, star_end(star), runs->n}, "");
+    if (left == 0)
+        until = arena_printf(w->text->arena, "%s%s", until, w->end);
+    write_part(w, before_star(runs, star), "", "");
+    write_part(w, in_star(runs, star), "*", until);
+    write_part(w, behind_star(runs, star), "", w->end);
 }
 
 /* ---- the row ---- */
@@ -261,14 +288,14 @@ void row_write(struct row_writer *w, const stitch_id *worked, int n)
     struct runs runs = find_runs(w->text->arena, worked, n);
     struct part whole = {&runs, 0, n};
     if (runs.nruns == 1) {
-        put(w, w->words->entry[worked[0]].row);
+        put(w, w->words->entry[worked[0]].row, w->end);
         return;
     }
     struct star star = w->open ? (struct star){0, whole_period(&runs), 0, 0} : find_star(&runs);
     if (w->open)
         star.times = n / star.period;
-    if (w->open || (star.times && star.cost <= part_cost(whole)))
+    if (w->open || (star.times && star_cost(&runs, &star) <= part_cost(whole)))
         write_star(w, &runs, &star);
     else
-        write_part(w, whole, "");
+        write_part(w, whole, "", w->end);
 }

@@ -201,17 +201,19 @@ static void write_head(struct writer *w, int first, int end)
 static void write_line(struct writer *w, int first, int end)
 {
     size_t begin = w->text->length;
+    struct arena *arena = w->text->arena;
+    int columns = w->grid->columns;
+    bool counted = !w->style->open && !w->style->uncounted;
     write_head(w, first, end);
     struct row_writer row = {
         .text = w->text,
         .words = w->style->words,
-        .indent = arena_printf(w->text->arena, "%s    ", w->style->indent),
+        .indent = arena_printf(arena, "%s    ", w->style->indent),
+        .end = counted ? arena_printf(arena, ". (%d st%s)", columns, columns == 1 ? "" : "s") : "",
         .column = (int)(w->text->length - begin),
         .open = w->style->open,
     };
-    row_write(&row, worked_row(w, first), w->grid->columns);
-    if (!w->style->open && !w->style->uncounted)
-        text_print(w->text, ". (%d st%s)", w->grid->columns, w->grid->columns == 1 ? "" : "s");
+    row_write(&row, worked_row(w, first), columns);
     text_print(w->text, "\n");
 }
 

@@ -105,6 +105,27 @@ Row 1 (RS): k1, p2, k3, p4, k5, p6, k7, p8, k9, p10, k11, p12, k13,
     p14, k15, p16, k17, p18. (171 sts)
 Bind off.
 TEXT
+writes 'a repeat behind a group that is no part of it' 'Row 1: (p1, k1) 3 times, *p2, k1, p1, k1, p1, k1; rep from *|Cast on 48' <<'TEXT'
+Multiple of 7 sts + 6.
+Cast on 48 sts.
+Row 1 (RS): [p1, k1] 3 times, *p2, k1, p1, k1, p1,
+    k1; rep from * to end. (48 sts)
+Bind off.
+TEXT
+writes 'a long repeat, whose end stays with its last stitches' \
+    'Cast on 147|Row 1: *k1, p2, k3, p4, k5, p6, k7, p8, k9, p10, k8; rep from * to last 21 sts, p1, k20' <<'TEXT'
+Cast on 147 sts.
+Row 1 (RS): *k1, p2, k3, p4, k5, p6, k7, p8, k9, p10,
+    k8; rep from * to last 21 sts, p1, k20. (147 sts)
+Bind off.
+TEXT
+writes 'a group at the end of a line' \
+    'Row 1: k11, p12, k13, p14, k15, p16, k17, p18, k19, (p20, k21) 3 times, p22, k23' <<'TEXT'
+Cast on 303 sts.
+Row 1 (RS): k11, p12, k13, p14, k15, p16, k17, p18, k19,
+    [p20, k21] 3 times, p22, k23. (303 sts)
+Bind off.
+TEXT
 writes 'parts of the height repeated each for itself' 'use weave from std|swatch weave' <<'TEXT'
 Cast on 48 sts.
 Row 1 (RS): k10, p28, k10. (48 sts)
@@ -154,7 +175,8 @@ TEXT
 # back SCRIPT OPTION...: the written text of the script gives its grid.
 back() {
     "$WEFT" chart --grid "$1" >"$work/wanted"
-    "$WEFT" write "$@" >"$work/written.knit" && "$WEFT" chart --grid "$work/written.knit" | cmp "$work/wanted" -
+    "$WEFT" write "$@" >"$work/written.knit" && "$WEFT" chart --grid "$work/written.knit" | cmp "$work/wanted" - &&
+        awk 'length($0) > 80 { print; wide = 1 } END { exit wide }' "$work/written.knit"
 }
 
 mkdir "$work/random" "$work/library"
