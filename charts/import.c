@@ -58,18 +58,27 @@ static bool repeats_up(const struct grid *g, int period)
     return memcmp(g->cell, g->cell + columns * (size_t)period, columns * (size_t)(g->rows - period)) == 0;
 }
 
-/* The smallest part that makes the grid, of an even number of rows: those can be written out. */
+/* The fewest rows that make all, of first, first + 2, ...; all if none do. */
+static int rows_of_repeat(const struct grid *g, int first)
+{
+    int rows = first;
+    while (rows < g->rows && !(g->rows % rows == 0 && repeats_up(g, rows)))
+        rows += 2;
+    return rows < g->rows ? rows : g->rows;
+}
+
+/* The smallest part that makes the grid, if possible of an even number of rows: those can be written out. */
 static struct pattern find_repeat(struct arena *arena, const struct pattern *whole)
 {
     struct pattern part = *whole;
-    int columns = 1, rows = 2, width = whole->grid->columns, height = whole->grid->rows;
+    int columns = 1, rows, width = whole->grid->columns, height = whole->grid->rows;
     if (whole->across > 1 || whole->up > 1 || whole->words)
         return part;
     while (columns < width && !(width % columns == 0 && repeats_across(whole->grid, columns)))
         columns++;
-    while (rows < height && !(height % rows == 0 && repeats_up(whole->grid, rows)))
-        rows += 2;
-    rows = rows < height ? rows : height;
+    rows = rows_of_repeat(whole->grid, 2);
+    if (rows == height)
+        rows = rows_of_repeat(whole->grid, 1);
     part.grid = grid_window(arena, whole->grid, 0, 0, columns, rows);
     part.across = width / columns;
     part.up = height / rows;

@@ -12,7 +12,7 @@ struct lines lines_of(const struct source *source)
 
 bool lines_is_blank(char c)
 {
-    return c == ' ' || c == '\t' || c == '\r';
+    return c == ' ' || c == '\t';
 }
 
 bool lines_next(struct lines *lines, struct span *line)
@@ -21,9 +21,10 @@ bool lines_next(struct lines *lines, struct span *line)
     size_t start = lines->at, size = lines->source->size;
     if (start >= size)
         return false;
-    const char *newline = memchr(text + start, '\n', size - start);
-    size_t end = newline ? (size_t)(newline - text) : size;
-    lines->at = end + 1;
+    size_t end = start;
+    while (end < size && text[end] != '\n' && text[end] != '\r')
+        end++;
+    lines->at = end + 1 + (end + 1 < size && text[end] == '\r' && text[end + 1] == '\n');
     while (end > start && lines_is_blank(text[end - 1]))
         end--;
     while (start < end && lines_is_blank(text[start]))

@@ -134,6 +134,7 @@ static const unsigned char *read_pixels(struct arena *arena, struct diag *diag, 
         diag_error(diag, CODE_PICTURE, whole(arena, source), "this picture cannot be read: it ends too early");
     else if (png_image_begin_read_from_memory(image, source->text, source->size)) {
         image->format = PNG_FORMAT_RGBA;
+        image->flags |= PNG_IMAGE_FLAG_16BIT_sRGB;      /* where the file does not say otherwise, as with 8 bits */
         if (check_size(diag, source, image)) {
             unsigned char *room = arena_array(arena, unsigned char, PNG_IMAGE_SIZE(*image));
             pixel = png_image_finish_read(image, NULL, room, 0, NULL) ? room : NULL;

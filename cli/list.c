@@ -25,31 +25,11 @@ static void print_list(const struct library_motif *motif, int count)
         char name[64], multiple[32];
         snprintf(name, sizeof name, "%s%s", m->name, m->arguments);
         print_multiple(multiple, m);
-        printf("%-22s %-9s %4d  %s\n", name, multiple, m->rows, m->about);
+        printf("%-22s %-9s %4d  %.*s\n", name, multiple, m->rows, (int)strcspn(m->about, "\n"), m->about);
     }
 }
 
-/* The comment above `motif NAME` in its file, without the marks: what the motif
- * is, other names it goes by, and what its arguments mean. */
-static void print_about(struct file *file, const char *text, const char *name)
-{
-    const char *begin = NULL, *line = text, *next;
-    size_t length = strlen(name);
-    for (; *line; line = next) {
-        next = line + strcspn(line, "\n");
-        next += *next == '\n';
-        if (strncmp(line, "motif ", 6) == 0 && strncmp(line + 6, name, length) == 0 && strchr(" (", line[6 + length]))
-            break;
-        begin = *line != '#' ? NULL : begin ? begin : line;
-    }
-    for (; begin && begin < line; begin = next + 1) {
-        next = begin + strcspn(begin, "\n");
-        begin += 1 + (begin[1] == ' ');
-        file_print(file, "%.*s\n", (int)(next - begin), begin);
-    }
-}
-
-static enum status print_motif(struct arena *arena, const struct library_motif *m)
+static enum status print_motif(const struct library_motif *m)
 {
     static const struct stitch stitch[] = {{.name = "K", .symbol = "k"}, {.name = "P", .symbol = "p"}};
     const struct scene scene = {.grid = m->grid, .nstitches = 2, .stitch = stitch};
@@ -59,8 +39,7 @@ static enum status print_motif(struct arena *arena, const struct library_motif *
     if (!file)
         return STATUS_FILES;
     print_multiple(multiple, m);
-    file_print(file, "%s%s: ", m->name, m->arguments);
-    print_about(file, library_text(arena, m->file), m->name);
+    file_print(file, "%s%s: %s\n", m->name, m->arguments, m->about);
     file_print(file, "multiple of %s, %d %s, in %s\n\n", multiple, m->rows, names_count(m->rows, "row", "rows"), m->file);
     chart_text(file, &scene);
     bool done = file_commit(file);
@@ -77,9 +56,12 @@ static enum status list_one(const struct options *options, struct arena *arena, 
     struct nearest nearest = nearest_to(name);
     for (const struct library_motif *m = motif; m < motif + count; m++) {
         if (strcmp(m->name, name) == 0)
-            return print_motif(arena, m);
+            return print_motif(m);
         nearest_offer(&nearest, m->name);
     }
+    const char *known = library_other_name(arena, name);
+    if (known)
+        return options_wrong(options, "there is no motif '%s'; the library calls it %s", name, known);
     if (nearest.best)
         return options_wrong(options, "there is no motif '%s'; did you mean %s?", name, nearest.best);
     return options_wrong(options, "there is no motif '%s'", name);

@@ -86,7 +86,7 @@ void output_values(const struct output *, void (*see)(void *self, const void *va
 struct library_motif {
     const char        *name;
     const char        *arguments;   /* "(half = 6)", or "" */
-    const char        *about;       /* one line */
+    const char        *about;       /* a line on what it is, then others, '\n' between */
     const char        *file;        /* "std/miura.knit" */
     int                multiple;    /* stitches: a width is multiple * n + plus */
     int                plus;
@@ -97,7 +97,7 @@ struct library_motif {
 /* All of them, in the order of their names; *count says how many. */
 const struct library_motif *library_list(struct arena *, int *count);
 
-/* The text of a built-in file by the name library_motif.file has, or NULL. */
-const char *library_text(struct arena *, const char *file);
+/* The motifs that a comment in the library gives this name: "moss_us or seed_2x1"; NULL: none. */
+const char *library_other_name(struct arena *, const char *name);
 
 #endif

@@ -3,8 +3,10 @@
 #include "lang/library.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "lang/eval.h"
 
@@ -49,13 +51,43 @@ void library_offer(struct nearest *nearest)
         nearest_offer(nearest, library_names[i].name);
 }
 
-const char *library_text(struct arena *arena, const char *file)
+/* ---- other names ---- */
+
+/* Whether text begins with the name and ends there; a blank is as good as _, "stitch" behind it says nothing. */
+static bool is_called(const char *text, const char *name)
 {
-    for (int i = 0; i < library_nfiles; i++)
-        if (strcmp(library_files[i].name, file) == 0)
-            return source_of(arena, &library_files[i])->text;
-    return NULL;
+    while (*name && (tolower((unsigned char)*text) == tolower((unsigned char)*name) || (*text == ' ' && *name == '_'))) {
+        text++;
+        name++;
+    }
+    if (strcasecmp(name, "_stitch") == 0 || strcasecmp(name, " stitch") == 0)
+        name += strlen(name);
+    return !*name && (!*text || strchr(",;.\n", *text));
 }
+
+/* Names stand behind a colon, with commas between: `also: spot`, `in Britain: moss`. */
+static bool goes_by(const char *about, const char *name)
+{
+    for (const char *list = strchr(about, ':'); list; list = strchr(list + 1, ':'))
+        for (const char *at = list + 1; *at == ' '; at += *at == ',') {
+            if (is_called(at + 1, name))
+                return true;
+            at += strcspn(at, ",;.\n");
+        }
+    return false;
+}
+
+const char *library_other_name(struct arena *arena, const char *name)
+{
+    const char *all = NULL;
+
+    for (const struct library_name *n = library_names; n < library_names + library_nnames; n++)
+        if (is_called(n->name, name) || goes_by(n->about, name))
+            all = all ? arena_printf(arena, "%s or %s", all, n->name) : n->name;
+    return all;
+}
+
+/* ---- all motifs ---- */
 
 static int by_name(const void *a, const void *b)
 {

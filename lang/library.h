@@ -11,7 +11,7 @@ struct library_file {
 struct library_name {
     const char *name;               /* of a motif */
     const char *arguments;          /* "(k = 2, p = 2)" or "" */
-    const char *about;              /* the comment above it */
+    const char *about;              /* the comment above it, lines ended by a line feed but the last */
     int         file;               /* its place among the files */
 };
 

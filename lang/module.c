@@ -37,6 +37,7 @@ struct binding *binding_target(struct binding *binding)
 void module_unknown(struct eval *eval, struct where where, const char *name, struct span span)
 {
     struct nearest nearest = nearest_to(name);
+    const char *known = library_other_name(eval->arena, name);
 
     for (const struct local *local = where.local; local; local = local->up)
         nearest_offer(&nearest, local->name);
@@ -48,6 +49,8 @@ void module_unknown(struct eval *eval, struct where where, const char *name, str
     diag_error(eval->diag, CODE_UNKNOWN_NAME, span, "nothing here is called '%s'", name);
     if (library_source(eval->arena, name) && !module_find(where.module, name))
         diag_hint(eval->diag, "the library has it: `use %s from std`", name);
+    else if (known && !nearest.best)
+        diag_hint(eval->diag, "the library calls it %s", known);
     else
         diag_did_you_mean(eval->diag, nearest.best);
 }
@@ -272,6 +275,7 @@ static void unknown_motif(struct eval *eval, const struct name_at *name, const s
                           const char *file)
 {
     struct nearest nearest = nearest_to(name->name);
+    const char *known = module ? NULL : library_other_name(eval->arena, name->name);
 
     if (module)
         for (const struct binding *b = module->first; b; b = b->after)
@@ -279,7 +283,10 @@ static void unknown_motif(struct eval *eval, const struct name_at *name, const s
     else
         library_offer(&nearest);
     diag_error(eval->diag, CODE_USE, name->span, "%s has no '%s'", module ? file : "the library", name->name);
-    diag_did_you_mean(eval->diag, nearest.best);
+    if (known)
+        diag_hint(eval->diag, "the library calls it %s", known);
+    else
+        diag_did_you_mean(eval->diag, nearest.best);
 }
 
 /* Names that knitters in different countries give to different things. */

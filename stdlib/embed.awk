@@ -4,6 +4,7 @@ function quoted(text)
 {
     gsub(/\\/, "\\\\", text)
     gsub(/"/, "\\\"", text)
+    gsub(/\n/, "\\n", text)
     return "\"" text "\""
 }
 function base(path)
@@ -25,13 +26,11 @@ FNR == 1 {
     about = ""
 }
 { print "    " quoted($0) "," }
-# The first line of the comment above a motif is what it is; a name that
-# begins with _ is the file's own business.
+# The comment above a motif says what it is in its first line, then what other
+# names it goes by; a name that begins with _ is the file's own business.
 /^#/ {
-    if (!commented)
-        about = $0
-    commented = 1
-    sub(/^# */, "", about)
+    sub(/^# */, "")
+    about = about == "" ? $0 : about "\n" $0
     next
 }
 /^motif / {
@@ -40,7 +39,6 @@ FNR == 1 {
     name[nnames] = head
     sub(/[^A-Za-z0-9_].*/, "", name[nnames])
     if (name[nnames] ~ /^_/) {
-        commented = 0
         about = ""
         next
     }
@@ -52,10 +50,7 @@ FNR == 1 {
     described[nnames] = about
     of[nnames++] = nfiles - 1
 }
-{
-    commented = 0
-    about = ""
-}
+{ about = "" }
 END {
     print "    NULL,\n};"
     print "const struct library_file library_files[] = {"

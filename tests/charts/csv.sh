@@ -25,6 +25,8 @@ printf '1,1,1,0\n1,1,0,0\n1,0,0,0\n' >"$work/a.csv"
 same 'ones and noughts' "$work/a.csv"
 printf '\357\273\277"k";"k";"K";"p"\r\n1; k ;P;p\r\nk;p;0;p\r\n\r\n' >"$work/a.CSV"
 same 'semicolons, quotes, blanks, capitals, line ends of two bytes, a byte order mark' "$work/a.CSV"
+tr '\n' '\r' <"$work/flag.csv" >"$work/mac.csv"
+same 'line ends of old Macs' "$work/mac.csv"
 tr , '\t' <"$work/flag.csv" >"$work/b.csv"
 same 'tabs' "$work/b.csv"
 
@@ -55,6 +57,16 @@ TEXT
 wrong 'other words' 'k,yo\n' <<'TEXT'
 w.csv:1:3: error: this cell holds no stitch [E0803]
    1 | k,yo
+     |   ^~
+hint: a stitch is k or 1 (knit), p or 0 (purl)
+TEXT
+wrong 'stitches without a separator, and one with a number' 'k,p\nkp,p\nk,k1\n' <<'TEXT'
+w.csv:2:1: error: this cell holds no stitch [E0803]
+   2 | kp,p
+     | ^~
+hint: a stitch is k or 1 (knit), p or 0 (purl)
+w.csv:3:3: error: this cell holds no stitch [E0803]
+   3 | k,k1
      |   ^~
 hint: a stitch is k or 1 (knit), p or 0 (purl)
 TEXT

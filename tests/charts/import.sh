@@ -50,11 +50,26 @@ printf '# 12 10\nKP\nPPP\n' | sed 's/PPP/PP/' >"$work/x.txt"
 exits 0 'repeats of several digits' "$WEFT" check "$work/x.knit"
 out 'count' '20 stitches x 24 rows'
 
+# Rows have sides: an odd number of them, which could be written shorter, stays a chart where it repeats.
+printf '# 3 2\nKKKKKKKKPPPPPPPPPPPPP\n' >"$work/odd.txt"
+exits 0 'a repeat of one row' "$WEFT" import "$work/odd.txt" -o "$work/odd.knit"
+check 'is a chart' grep -q '  \.\.\.\.\.\.\.\.xxxxxxxxxxxxx  1$' "$work/odd.knit"
+"$WEFT" chart --grid "$work/odd.knit" >"$work/out"
+check 'and has every row as it was' test "$(sed 1d "$work/out" | sort -u | tr -d ' ')" = KKKKKKKKPPPPPPPPPPPPPKKKKKKKKPPPPPPPPPPPPP
+for n in 1 2 3; do printf 'KKKKKP\nKKKKPP\nKKPPPP\n'; done >"$work/odd.txt"
+exits 0 'three repeats of three rows' "$WEFT" import "$work/odd.txt"
+out 'are a chart of three' '^swatch tile(odd, 1, 3)$'
+for n in 1 2 3; do printf 'KP\nPP\nKP\nPP\n'; done >"$work/even.txt"
+exits 0 'six repeats of two' "$WEFT" import "$work/even.txt"
+out 'are a repeat of two' '^swatch tile(even, 1, 6)$'
+
 # ---- ways to write it ----
 
 cp "$work/flag.txt" "$work/wanted"
 printf '\357\273\277# 1 1\r\nK P P P\r\n  KKPP  \r\nK\tK K P\r\n\r\n\n' >"$work/windows.txt"
 same 'a byte order mark, line ends of two bytes, tabs, empty lines at the end' "$work/windows.txt"
+printf '# 1 1\rKPPP\rKKPP\rKKKP\r' >"$work/mac.txt"
+same 'line ends of old Macs' "$work/mac.txt"
 printf 'KPPP\nKKPP\nKKKP' >"$work/bare.txt"
 same 'no header, no last line end' "$work/bare.txt"
 for name in 3d-shape.txt each.txt k.txt .txt 'a b.txt' tile.txt; do
@@ -129,11 +144,13 @@ for header in '#' '# 4' '# 4 2 1' '# -1 2' '# 4.5 2' '# 4,2' '# 42k'; do
     exits 3 "the header '$header'" "$WEFT" import "$work/w.txt"
     err 'is refused' 'w.txt:1:1: error: a header is two numbers.*E0805'
 done
-wrong 'no repeat' '# 0 2\nKP\n' <<'TEXT'
+for header in '0 2' '2 0'; do
+    wrong "no repeat, $header" "# $header\nKP\n" <<TEXT
 w.txt:1:1: error: a repeat is at least 1 [E0805]
-   1 | # 0 2
+   1 | # $header
      | ^~~~~
 TEXT
+done
 wrong 'a header further down' '# 1 1\nKP\n# 2 2\n' <<'TEXT'
 w.txt:3:1: error: a header stands in the first line alone [E0805]
    3 | # 2 2

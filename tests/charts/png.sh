@@ -14,7 +14,7 @@ same() {
     check 'has the grid' sh -c '"$1" chart --grid "$2/again.knit" | diff "$2/flag.txt" -' - "$WEFT" "$work"
 }
 
-for kind in rgb rgba gray indexed deep; do
+for kind in rgb rgba gray indexed deep deep_srgb interlaced; do
     printf 'kkkp\nkkpp\nkppp\n' | "$paint" "$kind" "$work/flag.png"
     same "$kind" "$work/flag.png"
     err 'what the colours are taken for is said' 'flag.png: black is taken as knit, white as purl'
@@ -29,6 +29,11 @@ printf 'ppprrr\n' | sed 's/ppprrr/rrrk/;p;s/.*/rrkk/;p;s/.*/rkkk/' | "$paint" rg
 same 'a key' "$work/red.png" --key '#ff0000=k,black=p'
 empty 'needs no saying' "$work/err"
 same 'a key of capitals' "$work/red.png" --key '#000000=P,#FF0000=K,#123456=k'
+
+for kind in rgb deep_srgb; do
+    printf 'gggk\nggkk\ngkkk\n' | "$paint" "$kind" "$work/gray.png"
+    same "a gray of its own, $kind" "$work/gray.png" --key '#808080=k,black=p'
+done
 
 exits 3 'another colour' sh -c 'cd "$2" && "$1" import red.png' - "$WEFT" "$work"
 check 'is an error with its place' diff - "$work/err" <<'TEXT'
@@ -47,7 +52,15 @@ exits 3 'for programs' sh -c 'cd "$2" && "$1" import one.png --diagnostics json'
 err 'the line and the column count from 1' '^{"file": "one.png", "line": 2, "column": 3, "end": 4, .*"code": "E0807"'
 exits 3 'a transparent one' "$WEFT" import "$work/clear.png"
 err 'is said to be that' 'x = 1, y = 1 is transparent'
+printf 'kh\n' | "$paint" rgba "$work/half.png"
+exits 3 'one that can be seen through a little' "$WEFT" import "$work/half.png"
+err 'is no colour, either' 'x = 1, y = 0 is transparent'
 
+# keys N: N colours, black and white not among them.
+keys() { awk -v n="$1" 'BEGIN { for (i = 1; i <= n; i++) printf "%s#%06x=k", (i > 1 ? "," : ""), i }'; }
+exits 0 'a key of 256 colours' "$WEFT" import -q "$work/red.png" --key "$(keys 254),#ff0000=k,black=p"
+exits 2 'of one more' "$WEFT" import -q "$work/red.png" --key "$(keys 255),#ff0000=k,black=p"
+err 'is too many' '^weft: --key: a key may have 256 colours'
 for key in '' k=k '#12345=k' '#1234567=k' '#000000' '#000000=' '#000000=kp' 'black=k,' 'black=k;white=p' 'black=k,#000000=p'; do
     exits 2 "the key '$key'" "$WEFT" import "$work/red.png" --key "$key"
     err 'is refused' '^weft: --key: '

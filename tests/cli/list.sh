@@ -25,6 +25,8 @@ out 'has its own text' '^rib(k = 2, p = 2): Columns of k knit and p purl stitche
 
 exits 2 'a motif that is not there' "$WEFT" list miurra
 err 'is like another' "no motif 'miurra'; did you mean miura?"
+exits 2 'a motif by another name' "$WEFT" list 'Spot'
+err 'is told' "no motif 'Spot'; the library calls it dot$"
 exits 2 'a motif like no other' "$WEFT" list wxyzwxyz
 err 'is said' "no motif 'wxyzwxyz'$"
 

@@ -236,7 +236,7 @@ static void test_library(void **state)
     for (int i = 0; i < count; i++) {
         assert_true(i == 0 || strcmp(motif[i - 1].name, motif[i].name) < 0);
         assert_true(strlen(motif[i].about) > 10);
-        assert_non_null(library_text(&arena, motif[i].file));
+        assert_memory_equal(motif[i].file, "std/", 4);
         assert_int_equal(motif[i].multiple + motif[i].plus, motif[i].grid->columns);
         assert_int_equal(motif[i].rows, motif[i].grid->rows);
         assert_true(*motif[i].name != '_');
@@ -251,7 +251,31 @@ static void test_library(void **state)
             assert_string_equal(motif[i].arguments, "(half = 6)");
     }
     assert_int_equal(found, sizeof wanted / sizeof *wanted);
-    assert_null(library_text(&arena, "std/none.knit"));
+    arena_free(&arena);
+}
+
+/* What knitters call a motif elsewhere: a comment's names, in any case, blanks as _. */
+static void test_other_names(void **state)
+{
+    static const struct {
+        const char *name, *motif;
+    } wanted[] = {
+        {"spot", "dot"},           {"Irish moss", "moss_us"},       {"irish_moss", "moss_us"},  {"gansey ladder", "ladder"},
+        {"accordion", "welt"},     {"Stocking_Stitch", "stockinette"}, {"st st", "stockinette"}, {"seed stitch", "seed"},
+        {"2x2_rib", "rib_2x2"},    {"double moss", "moss_us or seed_2x1"}, {"American moss", "moss_us"},
+        {"knit", NULL},            {"stitch", NULL},                {"", NULL},                 {"spots", NULL},
+    };
+    struct arena arena = {0};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+        const char *motif = library_other_name(&arena, wanted[i].name);
+
+        if (wanted[i].motif)
+            assert_string_equal(motif ? motif : "none", wanted[i].motif);
+        else
+            assert_null(motif);
+    }
     arena_free(&arena);
 }
 
@@ -260,6 +284,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_scene),    cmocka_unit_test(test_defaults), cmocka_unit_test(test_overrides),
         cmocka_unit_test(test_failures), cmocka_unit_test(test_include),  cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_other_names),
         cmocka_unit_test(test_library),
     };
 
