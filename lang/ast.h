@@ -134,7 +134,8 @@ struct row {
     bool                setup;          /* before row 1, its numbers being its own */
     struct row_numbers *numbers;        /* NULL: the next row, */
     struct expr        *count;          /* or the next so many rows, */
-    bool                total;          /* or as many as there are then in all */
+    bool                total;          /* or as many as there are then in all, */
+    bool                measured;       /* which may be there already */
     enum side           starting;       /* the side of the first of them */
     struct span         head;
     enum body_kind      body;
@@ -149,7 +150,10 @@ struct row {
 };
 
 /* Repeating rows is working them again: n times means n more times. */
-enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGAIN_ROWS, AGAIN_TOTAL_ROWS };
+enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGAIN_ROWS, AGAIN_TOTAL_ROWS, AGAIN_LENGTH, AGAIN_PART_LENGTH };
+
+/* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. */
+struct measure { int rows; bool part; };
 
 /* Which rows, where no numbers are given. */
 enum again_which { AGAIN_NUMBERS, AGAIN_LAST, AGAIN_THEM, AGAIN_GO_ON };

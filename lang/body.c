@@ -222,7 +222,9 @@ static bool count_rows(struct eval *eval, struct where where, const struct row *
     if (!eval_whole(eval, where, row->count, 1, LIMIT_WRITTEN_ROWS, "the number of rows", n))
         return false;
     *n -= before;
-    if (*n > 0)
+    if (row->measured && *n < 0)
+        *n = 0;
+    if (*n > 0 || row->measured)
         return true;
     diag_error(eval->diag, CODE_ROW_NUMBER, row->head, "there %s already", before == 1 ? "is 1 row" : arena_printf(eval->arena, "are %lld rows", before));
     return false;
@@ -360,6 +362,18 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
     }
 }
 
+/* Rows up to a length of n: whole repeats, but where the pattern goes on row by row. */
+static long long rows_to_length(const struct again *again, const struct body *body, struct row_texts texts, long long n)
+{
+    if (again->kind == AGAIN_LENGTH)
+        n -= rows_count(body->rows);
+    else if (again->which != AGAIN_GO_ON && rows_just_worked(body->rows, texts))
+        n -= texts.n;
+    if (n <= 0)
+        return 0;
+    return again->which == AGAIN_GO_ON ? n : (n + texts.n - 1) / texts.n * texts.n;
+}
+
 static bool run_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again,
                       struct body *body)
 {
@@ -387,9 +401,11 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
         n--;
     if (again->kind == AGAIN_TOTAL_ROWS && rows_just_worked(body->rows, texts))
         n = n > texts.n ? n - texts.n : 0;
+    if (again->kind == AGAIN_LENGTH || again->kind == AGAIN_PART_LENGTH)
+        n = rows_to_length(again, body, texts, n);
     if (again->kind == AGAIN_UNTIL_ROWS)
         rows_again(body->rows, stmt->span, texts, 0, n);
-    else if ((again->kind == AGAIN_ROWS || again->kind == AGAIN_TOTAL_ROWS) && n)
+    else if (again->kind >= AGAIN_ROWS && n)
         rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + n);
     else if (n)
         rows_again(body->rows, stmt->span, texts, n, 0);

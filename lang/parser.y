@@ -68,6 +68,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     struct { enum all_kind kind; bool round; } all;
     struct fabric fabric;
     struct { int of, plus; } parity;
+    struct measure measure;
     struct expr *expr;
     struct exprs exprs;
     struct argument *argument;
@@ -129,7 +130,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token MOD              "'mod'"
 
 %token PROSE            "a line of text"
-%token GO_ON            "'continue in pattern'"
+%token <measure> GO_ON            "'continue in pattern'"
 %token GO_ON_ROWS       "'continue in pattern for'"
 %token <side> STARTING  "'starting with'"
 %token REPEAT_THEM      "'repeat them'"
@@ -162,7 +163,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token REPEAT_LAST      "'repeat the last'"
 %token FOR_PATTERN      "'for pattern'"
 %token UNTIL_ROWS       "'until the piece has'"
-%token UNTIL_LENGTH     "'until the piece measures'"
+%token <measure> UNTIL_LENGTH     "'until the piece measures'"
 %token FOR_TOTAL        "'for a total of'"
 %token TOTAL            "'in all'"
 
@@ -274,7 +275,7 @@ line:
   %empty                                { $$ = NULL; }
 | statement
 | PROSE                                 { $$ = ast_stmt(parse, STMT_PROSE, @$); }
-| GO_ON                                 { $$ = ast_stmt(parse, STMT_PROSE, @$); syntax_goes_on(parse, @$); }
+| GO_ON                                 { $$ = syntax_goes_on(parse, @$, $GO_ON); }
 | error                                 { $$ = NULL; }
 ;
 
@@ -564,7 +565,7 @@ again_counted:
 | TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0), .more = true}; }
 | UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
 | UNTIL_ROWS count ROW_WORD TOTAL       { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
-| UNTIL_LENGTH                          { $$ = (struct again){.kind = AGAIN_PATTERN}; }
+| UNTIL_LENGTH                          { $$ = syntax_again_until(parse, @$, $1); }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | FOR_ROWS count ROW_WORD               { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count}; }
 | FOR_TOTAL count ROW_WORD              { $$ = (struct again){.kind = AGAIN_TOTAL_ROWS, .n = $count}; }
@@ -580,7 +581,7 @@ work_statement:
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN)); }
 | PLAIN_EVERY FOR_ROWS count ROW_WORD   { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
 | PLAIN_EVERY UNTIL_ROWS count ROW_WORD { $$ = stmt_row(parse, @$, syntax_total(syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD))); }
-| PLAIN_EVERY UNTIL_LENGTH              { $$ = stmt_row(parse, @$, syntax_as_others(syntax_plain_rows(parse, @$, @1, $1, syntax_two_rows(parse, @$), SIDE_OPEN))); }
+| PLAIN_EVERY UNTIL_LENGTH              { $$ = stmt_row(parse, @$, syntax_measured(syntax_plain_rows(parse, @$, @1, $1, syntax_rows_of(parse, @$, $2), SIDE_OPEN), $2)); }
 | PLAIN_EVERY                           { $$ = stmt_row(parse, @$, syntax_as_others(syntax_plain_rows(parse, @$, @1, $1, NULL, SIDE_OPEN))); }
 | WORK in FABRIC for count more ROW_WORD starting
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
@@ -589,7 +590,7 @@ work_statement:
 | WORK count more RIDGES starting       { $$ = stmt_row(parse, @$, syntax_ridges(parse, @$, $count, $starting)); }
 | WORK in FABRIC UNTIL_ROWS count ROW_WORD
                                         { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN))); }
-| WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
+| WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $4), SIDE_OPEN, SIDE_OPEN), $4)); }
 | WORK in FABRIC FOR_PATTERN            { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
 | WORK in FABRIC                        { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
 | STARTING work_statement[work]         { $$ = $work; $$->row.starting = $STARTING; }

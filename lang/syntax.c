@@ -362,6 +362,31 @@ struct row syntax_as_others(struct row row)
     return row;
 }
 
+/* A knitter ends with a wrong-side row. */
+static int whole_ridges(int rows)
+{
+    return rows + rows % 2;
+}
+
+struct expr *syntax_rows_of(struct parse *parse, struct span span, struct measure measure)
+{
+    return measure.rows ? expr_number(parse, span, whole_ridges(measure.rows), 0) : syntax_two_rows(parse, span);
+}
+
+struct row syntax_measured(struct row row, struct measure measure)
+{
+    row.as_others = true;
+    row.total = row.measured = measure.rows && !measure.part;
+    return row;
+}
+
+struct again syntax_again_until(struct parse *parse, struct span span, struct measure measure)
+{
+    if (!measure.rows)
+        return (struct again){.kind = AGAIN_PATTERN};
+    return (struct again){.kind = measure.part ? AGAIN_PART_LENGTH : AGAIN_LENGTH, .n = expr_number(parse, span, measure.rows, 0)};
+}
+
 struct expr *syntax_two_rows(struct parse *parse, struct span span)
 {
     diag_warning(parse->diag, CODE_REPEAT_NO_COUNT, span, "how many rows these are is not said: two");
@@ -505,8 +530,14 @@ void syntax_first_size(struct parse *parse, struct span sizes)
     diag_hint(parse->diag, "for another, write its numbers alone");
 }
 
-void syntax_goes_on(struct parse *parse, struct span span)
+struct stmt *syntax_goes_on(struct parse *parse, struct span span, struct measure measure)
 {
+    struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure.rows), measure.part});
+
+    again.which = AGAIN_GO_ON;
+    if (measure.rows)
+        return stmt_again(parse, span, again);
     diag_warning(parse->diag, CODE_REPEAT_NO_COUNT, span, "how long the pattern goes on is not said: no row more");
     diag_hint(parse->diag, "`repeat rows 1-4 5 times`, or `repeat rows 1-4 until piece has 40 rows`");
+    return ast_stmt(parse, STMT_PROSE, span);
 }

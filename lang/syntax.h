@@ -29,6 +29,11 @@ struct row syntax_total(struct row);                                /* so many i
 struct row syntax_as_others(struct row);
 struct expr *syntax_two_rows(struct parse *, struct span);          /* how many is not said: warns */
 
+/* A length, in rows where it is known how many: of plain rows and fabrics, of rows worked again. */
+struct expr *syntax_rows_of(struct parse *, struct span, struct measure);
+struct row syntax_measured(struct row, struct measure);
+struct again syntax_again_until(struct parse *, struct span, struct measure);
+
 /* `k1, p1, rep to end`: all that stands before is what is repeated. Warns. */
 struct item *syntax_whole(struct parse *, struct span, struct item *, struct until, struct item *tail);
 
@@ -37,7 +42,7 @@ struct item *syntax_open_star(struct parse *, struct span star, struct item *bef
 
 struct multiple syntax_parity(struct parse *, struct span, int of, int plus);
 void syntax_first_size(struct parse *, struct span);
-void syntax_goes_on(struct parse *, struct span);
+struct stmt *syntax_goes_on(struct parse *, struct span, struct measure);
 
 struct row syntax_row(struct parse *, struct row head, struct span head_span, struct row body, struct span body_span);
 struct item *syntax_fabric_stitches(struct parse *, struct span, struct fabric, struct expr *count, struct until);

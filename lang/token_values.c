@@ -9,6 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/lengths.h"
 #include "lang/words.h"
 
 int scanner_text(struct scanner *scanner, KNIT_STYPE *value, int kind, struct span span, const char *text,
@@ -283,4 +284,20 @@ void scanner_all(KNIT_STYPE *value, const char *text)
                 value->all.kind = words[i].all;
         text += length;
     }
+}
+
+void scanner_measure(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *phrase)
+{
+    double length = lengths_wanted(phrase, &value->measure.part), rows;
+
+    if (!scanner->gauge_read)
+        scanner->gauge = lengths_gauge(scanner->parse->text);
+    scanner->gauge_read = true;
+    rows = ceil(length * scanner->gauge - 1e-6);
+    value->measure.rows = rows > 0 && rows <= LIMIT_ROWS ? (int)rows : 0;
+    if (value->measure.rows == 0)
+        return;
+    diag_warning(scanner->parse->diag, CODE_LENGTH, span, "by the gauge this text states, this length is %d row%s", value->measure.rows,
+                 value->measure.rows == 1 ? "" : "s");
+    diag_hint(scanner->parse->diag, "whole repeats are worked until it is reached; `until piece has %d rows` says it", value->measure.rows);
 }

@@ -26,6 +26,9 @@ void scanner_all(KNIT_STYPE *, const char *text);
 void scanner_following(KNIT_STYPE *, const char *text);
 void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *text);
 
+/* `until piece measures 8 in`: how many rows that is, where the page says so. */
+void scanner_measure(struct scanner *, KNIT_STYPE *, struct span, const char *phrase);
+
 /* Sets it where a side is among the words. */
 bool scanner_remark(KNIT_STYPE *, const char *text);
 

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Lengths in the words of a page, "until piece measures 8 in (20 cm)", and how many rows they are. */
+#ifndef WEFT_LENGTHS_H
+#define WEFT_LENGTHS_H
+
+#include <stdbool.h>
+
+/* Rows per millimetre by the gauge a text states, "20 sts and 28 rows = 4 in"; 0: none. */
+double lengths_gauge(const char *text);
+
+/* Whether a phrase says a length. */
+bool lengths_said(const char *phrase);
+
+/* The length that rows are worked to or, `part`, for, in millimetres; 0: none is said. `phrase` ends with its text. */
+double lengths_wanted(const char *phrase, bool *part);
+
+#endif
