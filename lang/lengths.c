@@ -84,7 +84,8 @@ static const char *length_at(const char *text, double *millimetres)
     if (!at)
         return NULL;
     at = skip_sizes(at);
-    at = unit_at(at + strspn(at, " \t-"), &unit);
+    at += strspn(at, " \t-");
+    at = unit_at(words_is(at, "more") ? words_skip_blanks(at + 4) : at, &unit);
     *millimetres = at ? value * unit : 0;
     return at;
 }
@@ -190,11 +191,21 @@ bool lengths_said(const char *phrase)
     return find_length(phrase, phrase + strlen(phrase), false) > 0;
 }
 
+bool lengths_follow(const char *text)
+{
+    double millimetres;
+
+    if (words_is(text, "until") || words_is(text, "till"))
+        return find_length(text, line_end(text), false) > 0;
+    return length_at(text, &millimetres) != NULL;
+}
+
 double lengths_wanted(const char *phrase, bool *part)
 {
     static const char *const of_part[] = {"rib", "ribbing", "border", "section", "band", "edging", "hem", "cuff", "welt"};
-    static const char *const not_it[] = {"less", "short", "shorter", "before", "longer", "more"};
+    static const char *const not_it[] = {"less", "short", "shorter", "before", "longer"};
+    static const char *const until[] = {"until", "till"};
 
-    *part = words_is(phrase, "for") || says(phrase, of_part, sizeof of_part / sizeof *of_part);
+    *part = !says(phrase, until, 2) || says(phrase, of_part, sizeof of_part / sizeof *of_part);
     return says(phrase, not_it, sizeof not_it / sizeof *not_it) ? 0 : find_length(phrase, phrase + strlen(phrase), false);
 }

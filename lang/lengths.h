@@ -8,8 +8,9 @@
 /* Rows per millimetre by the gauge a text states, "20 sts and 28 rows = 4 in"; 0: none. */
 double lengths_gauge(const char *text);
 
-/* Whether a phrase says a length. */
+/* Whether a phrase says a length; whether a text goes on with one, "2 in", or up to one, "until it measures 2 in". */
 bool lengths_said(const char *phrase);
+bool lengths_follow(const char *text);
 
 /* The length that rows are worked to or, `part`, for, in millimetres; 0: none is said. `phrase` ends with its text. */
 double lengths_wanted(const char *phrase, bool *part);

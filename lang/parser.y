@@ -163,6 +163,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token REPEAT_LAST      "'repeat the last'"
 %token FOR_PATTERN      "'for pattern'"
 %token UNTIL_ROWS       "'until the piece has'"
+%token <measure> WORK_LENGTH  "'work 2 inches in'"
 %token <measure> UNTIL_LENGTH     "'until the piece measures'"
 %token FOR_TOTAL        "'for a total of'"
 %token TOTAL            "'in all'"
@@ -593,6 +594,7 @@ work_statement:
 | WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $4), SIDE_OPEN, SIDE_OPEN), $4)); }
 | WORK in FABRIC FOR_PATTERN            { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
 | WORK in FABRIC                        { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
+| WORK_LENGTH FABRIC starting           { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $1), SIDE_OPEN, $starting), $1)); }
 | STARTING work_statement[work]         { $$ = $work; $$->row.starting = $STARTING; }
 ;
 starting: %empty                        { $$ = SIDE_OPEN; } | STARTING;

@@ -84,13 +84,6 @@ static bool is_labelled(const char *text)
     return *text == ':';
 }
 
-bool prose_is_heading(const char *text)
-{
-    static const char *const word[] = {"gauge", "swatch", "motif", "stitch"};
-
-    return words_find(text, word, sizeof word / sizeof *word) >= 0 && prose_line_ends(text + words_length(text)) && *next_line(text) != '{';
-}
-
 bool prose_is_keyword(const char *text)
 {
     static const struct {

@@ -14,7 +14,6 @@ struct scanner;
 bool prose_line_ends(const char *text);             /* nothing but blanks follows */
 bool prose_names_row(const char *text);             /* "1st and 3rd rows:" */
 bool prose_statement_follows(const char *text);     /* a statement that a numbered list may hold */
-bool prose_is_heading(const char *text);            /* "Gauge", alone on its line: a statement's word, but none */
 bool prose_is_keyword(const char *text);            /* "use size 8 needles": a statement's word, but no statement */
 bool prose_reads(const char *text, bool loose);     /* a sentence; loosely: of a list of materials or abbreviations */
 bool prose_is_title(const char *text);

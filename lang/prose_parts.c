@@ -2,6 +2,7 @@
  * A place of a text in; what of a knitter's line stands there, out. */
 #include "lang/prose.h"
 
+#include "lang/lengths.h"
 #include "lang/syntax.h"
 #include "lang/words.h"
 
@@ -52,6 +53,10 @@ bool prose_repeats_rows(const char *text)
     text = words_skip_blanks(text);
     if (words_is(text, "from") || words_is(text, "the"))
         text = words_skip_blanks(text + words_length(text));
+
+    /* `repeat until it measures 8 in`; not `repeat until 2 sts remain`. */
+    if (words_is(text, "until") || words_is(text, "till"))
+        return lengths_follow(text);
     return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
            (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
 }

@@ -141,7 +141,6 @@ static const struct phrase table[] = {
     {"from|above|after the|your? cast-on|co edge|row|round", ""},
     {"=# ins.|in.|cm.|cms. =(|from|or|and|ending|,", ""},
     {"( # ins.|in.|cm.|cms. )", ""},
-    {"for # inches|inch|ins|in|cm|cms|centimetres|centimeters", "until"},
     {"unless otherwise|else stated|noted|indicated|specified|instructed|directed", ""},
     {"=# =rows|rounds|rnds - =garter|seed|moss|stockinette", ""},
     {"^ repeats : =#", "notes:"},
