@@ -305,6 +305,31 @@ static const char *title_of(const struct module *main, const struct expr *e)
     return NULL;
 }
 
+/* `swach miura`: a line that was passed over as text, being nearly a swatch. */
+static void hint_swatch(struct eval *eval)
+{
+    static const char *const swatch[] = {"swatch"};
+
+    for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
+        const char *text = stmt->span.source->text + stmt->span.start;
+        size_t n = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+
+        if (stmt->kind == STMT_PROSE && nearest_in(arena_copy(eval->arena, text, n < 10 ? n : 0), swatch, 1)) {
+            diag_note(eval->diag, stmt->span, "this line is read as text; did you mean 'swatch'?");
+            return;
+        }
+    }
+}
+
+static void no_fabric(struct eval *eval)
+{
+    unsigned end = (unsigned)eval->main->source->size;
+
+    diag_error(eval->diag, CODE_NO_SWATCH, (struct span){eval->main->source, end, end}, "the script gives no fabric to fold");
+    hint_swatch(eval);
+    diag_hint(eval->diag, "`swatch tile(motif, 4, 4)`, or rows: `Cast on 20 sts`, `Row 1: *k2, p2; rep from *`");
+}
+
 static void make_fabric(struct compilation *c)
 {
     struct eval *eval = &c->eval;
@@ -326,14 +351,8 @@ static void make_fabric(struct compilation *c)
         c->grid = fabric_of(eval, eval_expr(eval, (struct where){eval->main, NULL}, stmt->swatch.value),
                             stmt->swatch.value->span);
     }
-    if (!swatch && !rows.source && !eval->diag->nerrors) {
-        struct span end = {eval->main->source, (unsigned)eval->main->source->size,
-                           (unsigned)eval->main->source->size};
-
-        diag_error(eval->diag, CODE_NO_SWATCH, end, "the script gives no fabric to fold");
-        diag_hint(eval->diag,
-                  "`swatch tile(motif, 4, 4)`, or rows: `Cast on 20 sts`, `Row 1: *k2, p2; rep from *`");
-    }
+    if (!swatch && !rows.source && !eval->diag->nerrors)
+        no_fabric(eval);
 }
 
 /* Definitions that nothing used are checked, too. */

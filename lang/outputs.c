@@ -67,16 +67,21 @@ static bool kind_of_name(const char *name, enum output_kind *kind)
 static bool kind_of_extension(struct eval *eval, struct span span, const char *path, enum output_kind *kind)
 {
     const char *extension = extension_of(path);
+    struct nearest nearest = nearest_to(extension);
 
-    for (size_t i = 0; i < sizeof by_extension / sizeof *by_extension; i++)
+    for (size_t i = 0; i < sizeof by_extension / sizeof *by_extension; i++) {
+        nearest_offer(&nearest, by_extension[i].extension);
         if (strcasecmp(by_extension[i].extension, extension) == 0) {
             *kind = by_extension[i].kind;
             return true;
         }
+    }
     if (*extension)
         diag_error(eval->diag, CODE_OUTPUT, span, "'.%s' is no kind of output", extension);
     else
         diag_error(eval->diag, CODE_OUTPUT, span, "'%s' has no extension that says what it is", path);
+    if (*extension && nearest.best)
+        diag_hint(eval->diag, "did you mean '.%s'?", nearest.best);
     diag_hint(eval->diag,
               "surfaces: .pvd .vtp .obj .ply .stl .glb; others: .json .csv .txt .svg .png .pdf .html .state");
     return false;
@@ -272,11 +277,25 @@ void output_values(const struct output *output, void (*see)(void *self, const vo
         }
 }
 
+/* The kind of output that has a key; NULL: none. */
+static const char *kind_with(const char *key)
+{
+    const struct output_key *k = find_key(key, ~0u);
+    int kind = 0;
+
+    if (!k || k->kinds & (DRAWN_CHART | SWEEP_PLOT))
+        return !k ? NULL : kinds[k->kinds & DRAWN_CHART ? OUTPUT_CHART : OUTPUT_PLOT].name;
+    while (!(k->kinds & 1u << kind))
+        kind++;
+    return kinds[kind].name;
+}
+
 /* A key that no output has, or not this kind. */
 static void wrong_key(struct eval *eval, const struct pair *pair, const struct output *output, unsigned bit)
 {
     const char *name = kinds[output->kind].name, *list = "";
     const char *of = bit == SWEEP_PLOT ? " of a sweep" : bit == OF(PLOT) ? " of a run" : "";
+    const char *other = kind_with(pair->key);
     bool elsewhere = *of && find_key(pair->key, OF(PLOT) | SWEEP_PLOT);
     struct nearest nearest = nearest_to(pair->key);
 
@@ -291,6 +310,8 @@ static void wrong_key(struct eval *eval, const struct pair *pair, const struct o
         diag_hint(eval->diag, "it is a key where the script has %s sweep", bit == SWEEP_PLOT ? "no" : "a");
     else
         diag_did_you_mean(eval->diag, nearest.best);
+    if (!elsewhere && !nearest.best && other && strcmp(other, name) != 0)
+        diag_hint(eval->diag, "'%s' is a key of %s: `output %s \"..\"`", pair->key, other, other);
     if ((elsewhere || !nearest.best) && *list)
         diag_hint(eval->diag, "its keys are %s", list);
     if (!*list && output->kind == OUTPUT_CHART)

@@ -68,6 +68,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/second_part.knit \
     tests/golden/rows.knit \
     tests/golden/settings.knit \
+    tests/golden/swach.knit \
     tests/golden/sweep.knit \
     tests/golden/sweep_range.knit \
     tests/golden/syntax.knit \
@@ -116,6 +117,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/second_part.expected \
     tests/golden/rows.expected \
     tests/golden/settings.expected \
+    tests/golden/swach.expected \
     tests/golden/sweep.expected \
     tests/golden/sweep_range.expected \
     tests/golden/syntax.expected \
