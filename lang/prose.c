@@ -210,6 +210,21 @@ static bool is_repeat_until(const char *text)
     return behind && words_are_rows(behind) && (words_line_has(behind, "until") || words_line_has(behind, "till"));
 }
 
+/* Quotes of a statement, `report "x.json"`: not those of `SQUARE No. 7 ("Windows")`, of a "Waffle" cloth, of 8" x 8". */
+static bool has_file_name(const char *text)
+{
+    for (size_t n = words_line_length(text), i = 0; i < n; i++) {
+        size_t length = strcspn(text + i + 1, "\"\r\n");
+
+        if (text[i] != '"' || (i > 0 && isdigit((unsigned char)text[i - 1])))
+            continue;
+        if (text[i + 1 + length] != '"' || !isupper((unsigned char)text[i + 1]) || strcspn(text + i + 1, "./") < length)
+            return true;
+        i += length + 1;
+    }
+    return false;
+}
+
 bool prose_reads(const char *text, bool loose)
 {
     text += *text == '(' && isupper((unsigned char)text[1]) && count_words(text) >= SENTENCE;
@@ -217,7 +232,7 @@ bool prose_reads(const char *text, bool loose)
         return false;
     if (loose || is_long_sentence(text))
         return true;
-    return !line_has(text, "[]\"=<>*|") && !has_stitches(text) && !has_call(text) &&
+    return !line_has(text, "[]=<>*|") && !has_file_name(text) && !has_stitches(text) && !has_call(text) &&
            (words_length(text) > 0 || (isdigit((unsigned char)*text) && count_words(text) >= SENTENCE)) && (count_words(text) > 1 || line_has(text, ":!"));
 }
 
@@ -256,21 +271,10 @@ static bool has_count(const char *text)
     return false;
 }
 
-/* Quotes that do not stand in brackets: `SQUARE No. 7 ("Windows")` is a name. */
-static bool has_bare_quote(const char *text)
-{
-    size_t n = words_line_length(text);
-
-    for (size_t i = 1; i < n; i++)
-        if (text[i] == '"' && text[i - 1] != '(' && text[i + 1] != ')')
-            return true;
-    return *text == '"';
-}
-
 bool prose_is_title(const char *text)
 {
     text += *text == '(' && words_length(text + 1) > 4;
-    return !line_has(text, "{}[]=<>*|") && !has_bare_quote(text) && !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) &&
+    return !line_has(text, "{}[]=<>*|") && !has_file_name(text) && !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) &&
            !has_call(text) && !has_count(text) && count_words(text) > 0 && count_words(text) <= TITLE_WORDS &&
            (words_length(text) > 0 || count_words(text) > 1);
 }

@@ -95,11 +95,15 @@ static const char *repeat_expects(const char *word, const char *behind)
 int scanner_repeat(struct scanner *scanner)
 {
     const char *text = SCANNER_TEXT(scanner), *word = text + strspn(text, " \t"), *behind = word + words_name_length(word);
+    bool star = scanner->star && !scanner_closes_group(scanner);
     struct span span = {scanner->parse->source, scanner->at + (unsigned)(word - text), scanner->at + (unsigned)(behind - text)};
     const char *expected = behind > word ? repeat_expects(word, behind + strspn(behind, " \t")) : NULL;
 
-    if (!expected || (strcmp(expected, "'rows'") == 0 && !syntax_meant(scanner->parse, span)))
-        return scanner_token(scanner, scanner_closes_group(scanner) ? TOKEN_REP : TOKEN_REP_ALL);
+    if (!expected || (strcmp(expected, "'rows'") == 0 && !syntax_meant(scanner->parse, span))) {
+        /* `*k2, p2; rep to end`. */
+        scanner->star &= !star;
+        return scanner_token(scanner, star ? TOKEN_REP_FROM : scanner_closes_group(scanner) ? TOKEN_REP : TOKEN_REP_ALL);
+    }
     if (strcmp(expected, "'*'") == 0) {
         behind += strspn(behind, " \t");
         span.start = scanner->at + (unsigned)(behind - text);

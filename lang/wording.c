@@ -84,7 +84,7 @@ static const struct phrase table[] = {
     {"^ for|on|over|the|following the? next|following? =# =rows|rounds|rnds ,|:", "next"},
     {"< =work|knit|purl|k|p the? next =# =rows|rounds|rnds", ""},
     {"< next =# =rows|rounds|rnds :|,? work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work"},
-    {"< next row|round|rnd :|, work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work 1 row"},
+    {"< next row|round|rnd (? rs|ws? )? :|, work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work 1 row"},
     {"< work|knit|make =# garter? =ridge|ridges", "work"},
 
     /* a row named by its side */
