@@ -53,7 +53,7 @@ sub walk {
 }
 walk($grammar); walk($_) for values %$rules;
 my %like = (
-    row => ['Row 1 (RS): k2', '  Rows 1 and 3: p2', 'R3: k1', '2nd row: p1', 'All WS rows: purl', 'Row {2 * i} (WS): k1', 'Next row: p1'],
+    row => ['Row 1 (RS): k2', '  Rows 1 and 3: p2', 'R3: k1', '2nd row: p1', 'All WS rows: purl', 'Row {2 * i} (WS): k1', 'Next row: p1', 'Set-up row (WS): p1', 'Foundation row: k1', 'RS rows: knit'],
     again => ['Cast on 20 sts', 'Repeat rows 1-2 3 times', 'multiple of 4 + 2'],
     chart => ['chart {', '  chart (x = P, o = K) {'],
     number => ['1.4', '1e-4', '1%', '5 mm', '.5'], stitch => ['k2', 'purl', 'P'],
@@ -100,6 +100,7 @@ motif m {
 }
 swatch tile(m, 2, 2)
 Repeat rows 1-2 3 times
+Set-up row (WS): k1
 KNIT
     cat >"$work/ask.vim" <<VIM
 set runtimepath^=$WEFT_SOURCE/editors/vim
@@ -130,6 +131,10 @@ VIM
     seen 9 1 knitStatement
     seen 9 8 knitFunction
     seen 10 1 knitRow
+    seen 11 1 knitHead
+    seen 11 8 knitRow
+    seen 11 13 knitSide
+    seen 11 18 knitStitch
     echo 'quitall!' >>"$work/ask.vim"
     vim -u NONE -i NONE -n -N -es -S "$work/ask.vim" </dev/null >"$work/.vim" 2>&1
     check 'vim: colours where they belong' diff "$work/wanted" "$work/seen"

@@ -20,7 +20,7 @@ syntax match knitNumber  '\v<\d+%(\.\d+)?%(e[-+]?\d+)?%(\s*\%|\s*[cm]?m>|in>)?'
 syntax match knitOperator '\v\.\.|[-+*/<>=!?]|\&\&|\|\|'
 
 " Rows: a head up to its colon, then stitches to the end of the line.
-syntax match knitHead '\v^\s*%(next\s+)?%(rows?|rounds?|rnds?)>[^:{}#"]*%(\{[^}]*\}[^:{}#"]*)*:' contains=knitRow,knitSide,knitHole,knitNumber nextgroup=knitText
+syntax match knitHead '\v^\s*%(%(next|rs|ws|set-?up|foundation)\s+)?%(rows?|rounds?|rnds?)>[^:{}#"]*%(\{[^}]*\}[^:{}#"]*)*:' contains=knitRow,knitSide,knitHole,knitNumber nextgroup=knitText
 syntax match knitHead '\v^\s*r\d+\s*:' nextgroup=knitText
 syntax match knitHead '\v^\s*\d+(st|nd|rd|th)\s+%(row|round|rnd)>[^:#]*:' contains=knitRow,knitSide nextgroup=knitText
 syntax match knitHead '\v^\s*%(all|every|each)\s[^:#"]*:' contains=knitRow,knitSide nextgroup=knitText
