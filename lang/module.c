@@ -122,9 +122,9 @@ static void note_used(struct eval *eval, const struct source *source)
     eval->used = file;
 }
 
-/* The first of the folders that has the file. */
+/* The first of the folders that has the file; else *refused is why one that is there cannot be read, or NULL. */
 static const struct source *find_file(struct eval *eval, const struct module *module, const char *name,
-                                      const char **path)
+                                      const char **path, const char **refused)
 {
     const char *why;
 
@@ -141,6 +141,8 @@ static const struct source *find_file(struct eval *eval, const struct module *mo
             note_used(eval, source);
             return source;
         }
+        if (!*refused && strncmp(why, strerror(ENOENT), strlen(strerror(ENOENT))) != 0)
+            *refused = why;
     }
     return NULL;
 }
@@ -163,8 +165,12 @@ static const char *nearest_file(struct eval *eval, const struct module *module, 
     return found;
 }
 
-static void not_found(struct eval *eval, const struct stmt *stmt, const struct module *module)
+static void not_found(struct eval *eval, const struct stmt *stmt, const struct module *module, const char *refused)
 {
+    if (refused) {
+        diag_error(eval->diag, CODE_USE, stmt->use.file_span, "cannot read '%s': %s", stmt->use.file, refused);
+        return;
+    }
     diag_error(eval->diag, CODE_USE, stmt->use.file_span, "there is no file '%s'", stmt->use.file);
     if (!module->folder)
         return;
@@ -237,11 +243,11 @@ static struct module *used_module(struct eval *eval, struct module *user, const 
 {
     const struct source *source;
     struct module *module;
-    const char *path = NULL, *key;
+    const char *path = NULL, *refused = NULL, *key;
 
-    source = find_file(eval, user, stmt->use.file, &path);
+    source = find_file(eval, user, stmt->use.file, &path, &refused);
     if (!source) {
-        not_found(eval, stmt, user);
+        not_found(eval, stmt, user, refused);
         return NULL;
     }
     if (use_chart(eval, user, stmt, source))

@@ -56,6 +56,10 @@ err 'what to write' 'hint: `use "2-flag.csv" as NAME`'
 printf 'use "flag.csv" as f\nuse "flag.png" as f\nswatch f\n' >use.knit
 exits 3 'a name twice' "$WEFT" check use.knit
 err 'has its place' 'use.knit:2:.*\[E0202\]'
+mkdir folder.csv
+printf 'use "folder.csv" as f\nswatch f\n' >use.knit
+exits 3 'a folder' "$WEFT" check use.knit
+err 'cannot be read' "use.knit:1:5: error: cannot read 'folder.csv': Is a directory \[E0601\]"
 printf 'use "none.csv" as f\nswatch f\n' >use.knit
 exits 3 'no such chart' "$WEFT" check use.knit
 err 'is said, too' "there is no file 'none.csv'"
