@@ -58,7 +58,7 @@ const struct command command_table[] = {
      "it to a file. What PATH is follows from its extension:\n"
      "  .csv      a line for each row, the top row first, with a cell for each\n"
      "            stitch: k, K or 1 is knit, p, P or 0 is purl; commas, semicolons or\n"
-     "            tabs between them\n"
+     "            tabs between them (also .tsv)\n"
      "  .png      a pixel for each stitch, the top row first; black is knit, white is\n"
      "            purl, unless --key says what the colours mean\n"
      "  .k        knitout: plain knit and purl with one yarn; a stitch of the front\n"

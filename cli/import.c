@@ -41,6 +41,7 @@ static const struct format {
     {".k", knitout_is, "Knitout", read_knitout},
     {".knitout", knitout_is, "Knitout", read_knitout},
     {".csv", NULL, "A table of k and p", read_csv},
+    {".tsv", NULL, "A table of k and p", read_csv},
     {".ks", words_is, "Written rows", read_words},
     {NULL, NULL, "A grid of K and P", read_kp},
 };
@@ -117,12 +118,22 @@ bool import_chart(struct arena *arena, struct diag *diag, const struct source *s
 
 /* ---- the command ---- */
 
+/* What a file that could only be read as lines of K and P is instead; NULL: nothing known. */
+static const char *other_format(const struct source *source)
+{
+    const char *dot = strrchr(source->name, '.'), *other = source_other_format(source);
+    return other ? other : dot && strcmp(dot, ".knit") == 0 && !begins_with_stitches(source) ? "a script" : NULL;
+}
+
 static struct pattern read_pattern(struct import *import, const struct format *format)
 {
-    const char *other = format->extension ? NULL : source_other_format(import->source);
+    const char *other = format->extension ? NULL : other_format(import->source);
     if (other) {
         diag_error(&import->diag, CODE_CHART_MARK, (struct span){import->source, 0, 0}, "this is %s, not a chart", other);
-        diag_hint(&import->diag, "charts are read from .csv, .png with a pixel for each stitch, .k, written rows, and lines of K and P");
+        if (strcmp(other, "a script") == 0)
+            diag_hint(&import->diag, "it needs no import: `weft check`, `weft chart`, `weft run` read it");
+        else
+            diag_hint(&import->diag, "charts are read from .csv, .png with a pixel for each stitch, .k, written rows, and lines of K and P");
         return (struct pattern){0};
     }
     if (import->source->size <= LIMIT_FILE)

@@ -97,7 +97,7 @@ _weft() {
         '') _weft_words "$(_weft_commands "$weft")" "$cur"; _weft_files knit "$cur" ;;
         help) _weft_words "$(_weft_commands "$weft")" "$cur" ;;
         list) _weft_words "$(_weft_motifs "$weft")" "$cur" ;;
-        import) _weft_files 'txt|csv|png|k' "$cur" ;;
+        import) _weft_files 'txt|csv|tsv|png|k|ks' "$cur" ;;
         version) ;;
         *) _weft_files knit "$cur" ;;
     esac

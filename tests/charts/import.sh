@@ -192,6 +192,27 @@ printf '%%PDF-1.5\n1 0 obj\n' >"$work/page.pdf"
 exits 3 'a PDF' "$WEFT" import "$work/page.pdf"
 err 'is named, too' 'this is a PDF file, not a chart'
 
+# other NAME BYTES WHAT HINT: a file of this name that begins so.
+other() {
+    printf "$2" >"$work/$1"
+    exits 3 "$1" "$WEFT" import "$work/$1"
+    err 'is named' ":1:1: error: this is $3, not a chart"
+    err 'with what to do' "^hint: .*$4"
+    check 'once' test "$(grep -c 'error' "$work/err")" = 1
+}
+other photo.jpg '\377\330\377\340\000\020JFIF' 'a JPEG picture' '.png with a pixel for each stitch'
+other moving.gif 'GIF89a\003\000' 'a GIF picture' '.png with a pixel for each stitch'
+other table.xlsx 'PK\003\004\024\000' 'a spreadsheet or another packed file' '.csv'
+other script.knit '# mine\nuse miura from std\nswatch miura\n' 'a script' 'it needs no import: `weft check`'
+printf 'K P\nP P\n' >"$work/grid.knit"
+exits 0 'a grid with the ending of a script' "$WEFT" import "$work/grid.knit"
+exits 3 'a photograph as a script' "$WEFT" check "$work/photo.jpg"
+err 'is named, too' 'photo.jpg:1:1: error: this is a JPEG picture, not a script'
+err 'with what to do' '^hint: save it as PNG, with a pixel for each stitch'
+printf 'k\tp\np\tp\n' >"$work/tabs.tsv"
+exits 0 'a table with tabs, by its ending' "$WEFT" import "$work/tabs.tsv"
+out 'is one' '^    xx  1$'
+
 # ---- there and back ----
 
 mkdir "$work/random" "$work/library"
