@@ -107,6 +107,16 @@ struct motif {
 
 /* ---- the evaluator ---- */
 
+/* A word of rows that was looked up: patterns have few of them, each a thousand times. */
+struct known_word {
+    const struct module *module;
+    const char          *word;          /* (length) not terminated */
+    size_t               length;
+    stitch_id            stitch;
+    long long            count;         /* as in vocabulary.h */
+};
+enum { KNOWN_WORDS = 64 };
+
 /* A file that was read for the scene. */
 struct used_file {
     const struct source *source;
@@ -128,6 +138,7 @@ struct eval {
     stitch_id           ws[STITCH_MAX + 1];
     struct binding     *stitch_binding[STITCH_MAX];
     enum origin         stitch_from[STITCH_MAX][5];     /* where each key's value comes from */
+    struct known_word   known[KNOWN_WORDS];
     long long           steps, cells, items;
     int                 depth, calls, written_rows;
     struct span         refused;        /* the line of a stitch that was refused last */

@@ -64,16 +64,14 @@ static bool is_other_format(struct diag *diag, const struct source *source, cons
 /* Bytes that text does not have. */
 static bool is_binary(struct diag *diag, const struct source *source)
 {
-    for (size_t i = 0; i < source->size; i++) {
-        unsigned char c = (unsigned char)source->text[i];
+    static const char control[] = "\x01\x02\x03\x04\x05\x06\x07\x08\x0E\x0F\x10\x11\x12\x13\x14\x15\x16\x17\x18\x19\x1A\x1B\x1C\x1D\x1E\x1F";
+    size_t at = strcspn(source->text, control);
 
-        if (c < 0x20 && !strchr("\t\n\r\f\v", c ? c : 1)) {
-            diag_error(diag, CODE_NOT_A_SCRIPT, (struct span){source, 0, 0},
-                       "this is a binary file, not a script (its byte %zu is 0x%02X)", i + 1, c);
-            return true;
-        }
-    }
-    return false;
+    if (at == source->size)
+        return false;
+    diag_error(diag, CODE_NOT_A_SCRIPT, (struct span){source, 0, 0},
+               "this is a binary file, not a script (its byte %zu is 0x%02X)", at + 1, (unsigned char)source->text[at]);
+    return true;
 }
 
 /* Nothing but K and P, perhaps under a line `# 4 4`: a stitch grid. */
@@ -97,22 +95,21 @@ static bool is_stitch_grid(struct diag *diag, const struct source *source, const
 
 static bool is_too_long(struct diag *diag, const struct source *source)
 {
-    size_t start = 0;
+    if (source->size <= LIMIT_FILE)
+        return false;
+    diag_error(diag, CODE_LIMIT_FILE, (struct span){source, 0, 0}, "the file is longer than %d bytes", LIMIT_FILE);
+    return true;
+}
 
-    if (source->size > LIMIT_FILE) {
-        diag_error(diag, CODE_LIMIT_FILE, (struct span){source, 0, 0}, "the file is longer than %d bytes",
-                   LIMIT_FILE);
-        return true;
-    }
-    for (size_t i = 0; i <= source->size; i++) {
-        if (i < source->size && source->text[i] != '\n' && source->text[i] != '\r')
-            continue;
-        if (i - start > LIMIT_LINE) {
-            diag_error(diag, CODE_LIMIT_LINE, (struct span){source, (unsigned)start, (unsigned)start},
-                       "this line is %zu bytes long; a line may have %d", i - start, LIMIT_LINE);
+static bool has_long_line(struct diag *diag, const struct source *source)
+{
+    for (size_t at = 0, length; at < source->size; at += length + 1) {
+        length = strcspn(source->text + at, "\r\n");
+        if (length > LIMIT_LINE) {
+            diag_error(diag, CODE_LIMIT_LINE, (struct span){source, (unsigned)at, (unsigned)at},
+                       "this line is %zu bytes long; a line may have %d", length, LIMIT_LINE);
             return true;
         }
-        start = i + 1;
     }
     return false;
 }
@@ -121,7 +118,8 @@ static bool is_script(struct diag *diag, const struct source *source, const char
 {
     const char *first = text + strspn(text, " \t\r\n\f\v");
 
-    if (is_too_long(diag, source) || is_other_format(diag, source, first) || is_binary(diag, source))
+    if (is_too_long(diag, source) || is_other_format(diag, source, first) || is_binary(diag, source) ||
+        has_long_line(diag, source))
         return false;
     if (!*first) {
         diag_error(diag, CODE_NOT_A_SCRIPT, (struct span){source, 0, 0}, "the file is empty");
@@ -150,16 +148,15 @@ static const struct spelling {
     {"\\(", '('},          {"\\)", ')'},          {"\\-", '-'},          {"\\#", ' '},
 };
 
-/* Where one of them may begin. */
-static bool may_be_spelling(unsigned char c)
-{
-    return c >= 0xC2 || c == '&' || c == '\\';
-}
+/* The bytes they begin with. */
+static const char spelling_first[] = "\xC2\xE2\xE3\xEF&\\";
 
 /* The spelling a text begins with; or NULL. */
 static const struct spelling *spelling_at(const char *text)
 {
-    for (size_t i = 0; may_be_spelling((unsigned char)*text) && i < sizeof spellings / sizeof *spellings; i++)
+    if (!strchr(spelling_first, *text))
+        return NULL;
+    for (size_t i = 0; i < sizeof spellings / sizeof *spellings; i++)
         if (strncmp(text, spellings[i].text, strlen(spellings[i].text)) == 0)
             return &spellings[i];
     return NULL;
@@ -178,7 +175,7 @@ const char *source_plain(struct arena *arena, const struct source *source)
 {
     char *text = NULL;
 
-    for (size_t at = 0; at < source->size; at++) {
+    for (size_t at = 0; (at += strcspn(source->text + at, spelling_first)) < source->size; at++) {
         const struct spelling *spelling = spelling_at(source->text + at);
 
         if (!spelling)

@@ -137,14 +137,31 @@ static bool find_counted(const struct eval *eval, const struct module *module, c
     return true;
 }
 
+/* The place where a word is kept once it is known. */
+static struct known_word *known_at(struct eval *eval, const char *word, size_t length)
+{
+    unsigned hash = (unsigned)length;
+
+    for (size_t i = 0; i < length; i++)
+        hash = 31 * hash + (unsigned char)word[i];
+    return &eval->known[hash % KNOWN_WORDS];
+}
+
 bool vocabulary_stitch(struct eval *eval, const struct module *module, const char *word, size_t length, unsigned start,
                        stitch_id *id, long long *count)
 {
-    if (!find_counted(eval, module, word, length, id, count)) {
-        unknown(eval, module, arena_copy(eval->arena, word, length), start);
-        return false;
+    struct known_word *known = known_at(eval, word, length);
+
+    if (known->module != module || known->length != length || memcmp(known->word, word, length) != 0) {
+        if (!find_counted(eval, module, word, length, id, count)) {
+            unknown(eval, module, arena_copy(eval->arena, word, length), start);
+            return false;
+        }
+        *known = (struct known_word){module, word, length, *id, *count};
+        if (*id == STITCH_SEED)
+            warn_moss(eval, module, word, start);
     }
-    if (*id == STITCH_SEED)
-        warn_moss(eval, module, word, start);
+    *id = known->stitch;
+    *count = known->count;
     return true;
 }

@@ -496,11 +496,16 @@ static size_t skip_quoted(const char *text, size_t at)
 /* How long `k2, p3, ` is before a further stitch with its figure: no sign and no phrase begins in it. */
 static size_t stitches_length(const char *text)
 {
-    size_t length = 0, n;
+    size_t length = 0, at = 0;
 
-    for (const char *at = text; strchr("kKpP", *at) && *at && (n = strspn(at + 1, "0123456789")) > 0; at += n) {
-        length = (size_t)(at - text);
-        n += 1 + strspn(at + 1 + n, ", ");
+    while ((text[at] | 0x20) == 'k' || (text[at] | 0x20) == 'p') {
+        if (!isdigit((unsigned char)text[at + 1]))
+            break;
+        length = at++;
+        while (isdigit((unsigned char)text[at]))
+            at++;
+        while (text[at] == ',' || text[at] == ' ')
+            at++;
     }
     return length;
 }
