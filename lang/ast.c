@@ -3,10 +3,12 @@
  * counted here, so that whoever walks the tree may recurse. */
 #include "lang/ast.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "lang/limits.h"
 #include "lang/parse.h"
+#include "lang/words.h"
 
 #define BLANKS " \t\f\v"
 #define DIGITS "0123456789"
@@ -154,8 +156,8 @@ static bool is_written(struct span span, const char *text)
 struct item *item_stitch(struct parse *parse, struct span span, const char *name, struct expr *count,
                          struct until until)
 {
-    bool plain = !count && until.kind == UNTIL_ONCE && is_written(span, name);
-    struct item *item = item_new(parse, plain ? ITEM_PLAIN : ITEM_STITCH, span);
+    bool plain = !count && until.kind == UNTIL_ONCE && (!name || is_written(span, name));
+    struct item *item = item_new(parse, !name ? ITEM_SEVERAL : plain ? ITEM_PLAIN : ITEM_STITCH, span);
 
     if (!plain)
         item->more[0] = (struct item_more){.name = name, .count = count, .until = until};
@@ -208,6 +210,23 @@ struct span item_span(const struct source *source, const struct item *item)
 struct until item_until(const struct source *source, const struct item *item)
 {
     return item_is_plain(item) ? (struct until){.span = item_span(source, item)} : item->more->until;
+}
+
+bool item_step(const struct source *source, const struct item *item, struct item *one)
+{
+    unsigned start = one->length ? one->start + one->length : item->start;
+    bool several = item->kind == ITEM_SEVERAL;
+
+    if (start == item->start + item->length)
+        return false;
+    start += several ? (unsigned)words_gap_length(source->text + start) : 0;
+    *one = (struct item){
+        .start = start,
+        .kind = several ? ITEM_PLAIN : item->kind,
+        .length = several ? (unsigned)words_stitch_length(source->text + start) : item->length,
+    };
+    assert(one->length > 0);
+    return true;
 }
 
 struct stitch_words item_words(const struct source *source, const struct item *item)

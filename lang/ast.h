@@ -80,7 +80,7 @@ struct until {
     struct span     span;
 };
 
-enum item_kind { ITEM_PLAIN, ITEM_COUNTED, ITEM_STITCH, ITEM_GROUP, ITEM_STARS, ITEM_REP_FROM };
+enum item_kind { ITEM_SEVERAL, ITEM_PLAIN, ITEM_COUNTED, ITEM_STITCH, ITEM_GROUP, ITEM_STARS, ITEM_REP_FROM };
 
 /* What an item has that is not plain. */
 struct item_more {
@@ -91,8 +91,9 @@ struct item_more {
 };
 
 /* A stitch with its count; or what is repeated: a group in brackets, between two
- * stars, or from a star to its `rep from *`.  What is plain, `k2` or counted, `knit 2`,
- * is no more than its place in the text: patterns have millions of them. */
+ * stars, or from a star to its `rep from *`.  What is plain, `k2` or counted, `knit 2`, or
+ * several of the first, `k2, p2`, is no more than its place in the text: patterns have
+ * millions of them. */
 struct item {
     struct item     *next;
     unsigned         start;         /* its bytes in the source of its statement */
@@ -273,6 +274,7 @@ struct expr *expr_each(struct parse *, struct span, struct name_at x, struct nam
                        struct expr *rows, struct expr *cell);
 struct argument *ast_argument(struct parse *, struct span, const char *name, struct expr *value);
 
+/* Without a name: several. */
 struct item *item_stitch(struct parse *, struct span, const char *name, struct expr *count, struct until);
 
 /* Stitches that show what those below them show, or the other face. */
@@ -287,6 +289,9 @@ struct item *item_stitches(struct parse *, struct span, const char *name, struct
 /* What any item says, plain or not: where, and how often it is worked. */
 struct span item_span(const struct source *, const struct item *);
 struct until item_until(const struct source *, const struct item *);
+
+/* Moves `one` to the next of a plain item's stitches, from length 0 to the first; false behind the last. */
+bool item_step(const struct source *, const struct item *, struct item *one);
 
 /* A stitch's name, and a number apart from it: an expression, or in figures. */
 struct stitch_words {

@@ -108,6 +108,15 @@ static bool says_how_many(struct eval *eval, struct where where, const struct it
     return false;
 }
 
+static int count_stitches(const struct source *source, const struct item *item)
+{
+    int n = 0;
+
+    for (struct item one = {0}; item_step(source, item, &one);)
+        n++;
+    return n;
+}
+
 /* Plain stitches that follow each other are one piece of work. Moves to the last
  * of them. A bare `k` that is the whole row fills it. */
 static bool lower_plain(struct eval *eval, struct where where, const struct item **item, bool alone, struct work **to)
@@ -115,18 +124,19 @@ static bool lower_plain(struct eval *eval, struct where where, const struct item
     const struct item *first = *item, *last = first;
     struct work *work;
     bool good = true, bare = false;
-    int n = 1;
+    int n = count_stitches(where.module->source, first);
 
     for (; last->next && item_is_plain(last->next); last = last->next)
-        n++;
+        n += count_stitches(where.module->source, last->next);
     work = work_new(eval, where, first, n);
     work->span = span_join(work->span, item_span(where.module->source, last));
     *item = last;
-    for (const struct item *stitch = first; stitch != last->next; stitch = stitch->next) {
-        if (!count_item(eval, where, stitch))
-            return false;
-        good &= lower_stitch(eval, where, stitch, work, &bare) && (alone || says_how_many(eval, where, stitch, work, bare));
-    }
+    for (; first != last->next; first = first->next)
+        for (struct item stitch = {0}; item_step(where.module->source, first, &stitch);) {
+            if (!count_item(eval, where, &stitch))
+                return false;
+            good &= lower_stitch(eval, where, &stitch, work, &bare) && (alone || says_how_many(eval, where, &stitch, work, bare));
+        }
     if (alone && bare)
         work->until = WORK_FIT;
     *to = work->nruns ? work : NULL;

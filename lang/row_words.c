@@ -165,19 +165,30 @@ static bool may_begin_line(const struct item_more *item)
     return true;
 }
 
+static void put_item(struct writer *w, const struct item *item, bool first, bool alone, bool whole_row)
+{
+    struct item_more more = more_of(w, item);
+
+    if (!first)
+        PUT(may_begin_line(&more) ? ",\n" : ", ");
+    if (more.name)
+        put_stitch(w, &more, alone, whole_row);
+    else
+        put_group(w, item);
+}
+
 static void put_items(struct writer *w, const struct item *item, bool whole_row)
 {
     const struct item *first = item;
 
     for (; item; item = item->next) {
-        struct item_more more = more_of(w, item);
+        struct item one = {0};
 
-        if (item != first)
-            PUT(may_begin_line(&more) ? ",\n" : ", ");
-        if (more.name)
-            put_stitch(w, &more, !first->next, whole_row);
+        if (!item_is_plain(item))
+            put_item(w, item, item == first, !first->next, whole_row);
         else
-            put_group(w, item);
+            while (item_step(source_of(w), item, &one))
+                put_item(w, &one, one.start == first->start, !first->next, whole_row);
     }
 }
 

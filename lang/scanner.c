@@ -80,6 +80,26 @@ bool scanner_begins_item(const struct scanner *scanner)
     return scanner->comma || previous == ':' || previous == '(' || previous == '[' || previous == TOKEN_TO_FIT || (previous == TOKEN_STAR && scanner->star);
 }
 
+/* The last two stay apart: they may be a fabric's name, `k2, p2 rib`, or what is worked so many times. Where the text
+ * is not what was written its places are not those of single stitches. */
+size_t scanner_stitches(const struct scanner *scanner, size_t back)
+{
+    const char *text = SCANNER_TEXT(scanner) - back, *written = scanner->parse->source->text + scanner->at - back;
+    size_t third = 0, second = 0, last = 0, at = 0, gap = 1;
+
+    if (scanner->previous != TOKEN_NAME)
+        return 0;
+    for (size_t n; gap && (n = words_stitch_length(text + at)) > 0; at += n + gap) {
+        gap = words_gap_length(text + at + n);
+        if (memcmp(text + at, written + at, n + gap) != 0)
+            break;
+        third = second;
+        second = last;
+        last = at + n;
+    }
+    return third > back ? third : 0;
+}
+
 /* What a word behind `rep` was to be, told by what follows it; NULL: nothing is wrong. */
 static const char *repeat_expects(const char *word, const char *behind)
 {

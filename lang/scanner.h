@@ -85,6 +85,10 @@ bool scanner_in_row_head(const struct scanner *);
 /* Whether a comma, a bracket or a star that opens stands before. */
 bool scanner_begins_item(const struct scanner *);
 
+/* How long `k2, p2, k2` is that begins `back` bytes before, behind other stitches: to be read as one but for its
+ * last two; or 0. */
+size_t scanner_stitches(const struct scanner *, size_t back);
+
 /* `rep` in a row without `from *`: what is repeated is the group before, or the row so far. */
 int scanner_repeat(struct scanner *);
 

@@ -11,6 +11,7 @@
 #include "lang/phrases.h"
 #include "lang/prose.h"
 #include "lang/signs.h"
+#include "lang/words.h"
 
 static const struct phrase table[] = {
     /* to the end */
@@ -498,14 +499,9 @@ static size_t stitches_length(const char *text)
 {
     size_t length = 0, at = 0;
 
-    while ((text[at] | 0x20) == 'k' || (text[at] | 0x20) == 'p') {
-        if (!isdigit((unsigned char)text[at + 1]))
-            break;
-        length = at++;
-        while (isdigit((unsigned char)text[at]))
-            at++;
-        while (text[at] == ',' || text[at] == ' ')
-            at++;
+    for (size_t n; (n = words_stitch_length(text + at)) > 0; at += words_gap_length(text + at)) {
+        length = at;
+        at += n;
     }
     return length;
 }

@@ -24,6 +24,28 @@ static inline const char *words_skip_blanks(const char *text)
     return text + strspn(text, " \t\f\v");
 }
 
+/* Bytes of a stitch with its figure, `k2`, that a text begins with; 0: it begins otherwise. */
+static inline size_t words_stitch_length(const char *text)
+{
+    size_t n = 1;
+
+    if ((*text | 0x20) != 'k' && (*text | 0x20) != 'p')
+        return 0;
+    while (text[n] >= '0' && text[n] <= '9')
+        n++;
+    return n > 1 ? n : 0;
+}
+
+/* Commas and blanks between stitches. */
+static inline size_t words_gap_length(const char *text)
+{
+    size_t n = 0;
+
+    while (text[n] == ',' || text[n] == ' ')
+        n++;
+    return n;
+}
+
 /* The number of the word of a list that a text begins with; -1: none. */
 static inline int words_find(const char *text, const char *const *word, int n)
 {

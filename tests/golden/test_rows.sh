@@ -15,6 +15,14 @@ grid 'Cast on 6|Rnd 1: k1, p2, k3|Rnd 2: k1, p2, k3' 'KKKPPK KKKPPK'
 grid 'Cast on 3|Rows 1-4: knit' 'KKK PPP KKK PPP'
 grid 'Cast on 3|Rounds 1-2: purl' 'PPP PPP'
 
+# Many in a row, however they are set apart.
+grid 'Row 1: k1,p1 k1 , p2,,k1, p1' 'PKPPKPK'
+grid "$(printf 'Row 1: k2, p1,\302\240k1, p1, k3,&nbsp;p1, k1, p1, k2')" 'KKPKPKKKPKPKK'
+grid 'Row 1 (WS): K1, P2, k1, p1, k1, p2' 'PKKPKPKK'
+wrong E0309 'Cast on 9|Row 1: p2, k1, p1, k1, p1, k1 4 times' 'what is worked 4 times can be read in two ways'
+wrong E0313 'Cast on 12|Row 1: p1, k1, p1, k1, k1, p1 rib to end' 'a rib over a part of a row'
+grid 'stitch k3 { kx = 1; symbol = "x" }|Row 1: p1, k1, k3, p1, k2, p1, k1' 'KPKKPxKP'
+
 # Repeats.
 grid 'Cast on 10|Row 1: *k2, p2; rep from * to last 2 sts, k2' 'KKPPKKPPKK'
 grid 'Cast on 10|Row 1: k1, *p2, k1; rep from * to end' 'KPPKPPKPPK'
