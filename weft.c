@@ -8,6 +8,8 @@
 #include "cli/interrupt.h"
 #include "cli/streams.h"
 #include "cli/waiting.h"
+#include "solver/fold.h"
+#include "solver/memory.h"
 
 int main(int argc, char **argv)
 {
@@ -15,8 +17,10 @@ int main(int argc, char **argv)
     streams_open();
     interrupt_install();
     enum status status = options_parse(&options, argc, argv);
-    if (status == STATUS_DONE && !options.help && (options.command->run == command_run || options.command->run == command_sweep))
+    if (status == STATUS_DONE && !options.help && (options.command->run == command_run || options.command->run == command_sweep)) {
         waiting_sleep(argv);
+        status = memory_suffices(fold_threads(options.threads)) ? STATUS_DONE : STATUS_FAILED;
+    }
     if (status == STATUS_DONE)
         status = options.help ? command_help(&options) : options.command->run(&options);
     options_free(&options);

@@ -6,13 +6,26 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
-enum { ALIGNMENT = 64 };
+enum { ALIGNMENT = 64, BLAS_BUFFER = 128, OTHERWISE = 256 };     /* bytes, MB, MB */
 
 static void *out_of_memory(size_t count, size_t size)
 {
     fprintf(stderr, "weft: out of memory (an array of %zu x %zu bytes)\n", count, size);
     exit(1);
+}
+
+bool memory_suffices(int threads)
+{
+    struct rlimit limit;
+    unsigned long long least = OTHERWISE + (unsigned long long)threads * BLAS_BUFFER;
+
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >> 20 >= least)
+        return true;
+    fprintf(stderr, "weft: the address space is limited to %llu MB (ulimit -v); to fold on %d thread%s takes %llu MB\n",
+            (unsigned long long)limit.rlim_cur >> 20, threads, threads == 1 ? "" : "s", least);
+    return false;
 }
 
 void *memory_array(size_t count, size_t size)

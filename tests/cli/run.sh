@@ -92,6 +92,13 @@ holds 'and nothing was written' "$work/set" r.json r.manifest.json
 
 mkdir "$work/full"
 echo old >"$work/full/x.vtp"
+if sanitized "$WEFT"; then
+    skip 'under a limit of memory' 'the address sanitizer needs more'
+else
+    exits 1 'under a limit of memory' timeout -s KILL 60 sh -c 'ulimit -v 200000; exec "$@"' - "$WEFT" run "$work/x.knit" -q -j 1
+    err 'says how much is needed' 'limited to 195 MB (ulimit -v); to fold on 1 thread takes 384 MB'
+fi
+
 exits 4 'a disk that gets full' sh -c 'ulimit -f 4; trap "" XFSZ; exec "$1" run "$2" -q -o "$3/x.vtp"' - \
     "$WEFT" "$work/rib.knit" "$work/full"
 err 'is said' "cannot write '.*x.vtp': File too large"
