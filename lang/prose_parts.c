@@ -69,7 +69,8 @@ bool prose_fabric_follows(const char *text)
 
     return words_find(text, word, sizeof word / sizeof *word) >= 0 ||
            (isdigit((unsigned char)*text) && ((*by && strchr("xX/\xC3", *by)) || words_is(by, "by"))) ||
-           (strchr("kK", *text) && isdigit((unsigned char)*words_skip_blanks(text + 1)));
+           (strchr("kK", *text) && isdigit((unsigned char)*words_skip_blanks(text + 1)) &&
+            (words_line_has(text, "rib") || words_line_has(text, "ribbing")));
 }
 
 bool prose_casts_some(const char *text)
