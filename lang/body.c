@@ -379,6 +379,7 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
 {
     struct row_texts texts;
     long long n = 0;
+    bool described = rows_described(body->rows);
 
     rows_work(body->rows);
     if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
@@ -399,6 +400,8 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     }
     if (again->kind == AGAIN_TOTAL && n && rows_just_worked(body->rows, texts))
         n--;
+    if (again->kind == AGAIN_ROWS && described)
+        n = n > texts.n ? n - texts.n : 0;
     if (again->kind == AGAIN_TOTAL_ROWS && rows_just_worked(body->rows, texts))
         n = n > texts.n ? n - texts.n : 0;
     if (again->kind == AGAIN_LENGTH || again->kind == AGAIN_PART_LENGTH)

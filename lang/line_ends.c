@@ -78,6 +78,15 @@ static bool ends_row(const char *text)
     return syntax_is_row(text);
 }
 
+/* `2, knit 2` behind `purl` at a line's end; not `2. Knit 3` of a numbered list. */
+static bool is_count(const char *text)
+{
+    size_t digits = strspn(text, "0123456789");
+    const char *behind = text + digits + strspn(text + digits, " \t");
+
+    return digits && (*behind == ',' || *behind == ';' || (behind > text + digits && words_are_stitches(behind)));
+}
+
 /* In a row: after a comma, an open star or a colon, and before `rep from`. */
 static bool row_goes_on(const struct scanner *scanner, const char *text)
 {
@@ -93,7 +102,8 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
         if (words_is_name(text, words[i]))
             return !prose_fabric_follows(text + length + strspn(text + length, " \t"));
     return scanner->comma || ((scanner->star || scanner->stops) && syntax_is_row(text)) || scanner->previous == ':' ||
-           (scanner_in_row_head(scanner) && prose_row_line(text)) || scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL;
+           (scanner_in_row_head(scanner) && prose_row_line(text)) || scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL ||
+           (scanner->previous == TOKEN_NAME && is_count(text));
 }
 
 bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)

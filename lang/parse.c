@@ -36,6 +36,8 @@ static struct span whole_line(const struct source *source, size_t at)
 
 static const struct format *find_format(const char *text)
 {
+    if (*text == '[' && isupper((unsigned char)text[1]))    /* a remark of a printed book */
+        return NULL;
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (strncmp(text, formats[i].first, strlen(formats[i].first)) == 0)
             return &formats[i];

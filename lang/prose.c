@@ -117,6 +117,15 @@ static int count_words(const char *text)
 static const char *const sentence_word[] = {"the", "this", "you", "it", "we", "my", "how", "when", "now", "our", "your", "there", "these", "that", "then", "set"};
 enum { nsentence_words = sizeof sentence_word / sizeof *sentence_word };
 
+/* `COT BLANKET`, `Red Scarf`: what follows the short word follows none of a statement. */
+static bool is_short_word(const char *text)
+{
+    static const char *const behind[] = {"on", "from", "the", "these", "last", "this", "a"};
+    const char *next = words_skip_blanks(text + words_length(text));
+
+    return words_length(text) < 4 && words_length(next) > 0 && !words_are_rows(next) && words_find(next, behind, sizeof behind / sizeof *behind) < 0 && !line_has(text, ":\"={");
+}
+
 /* `Casst`, `swach`: the first word is nearly a statement's. */
 static bool is_nearly_statement(const char *text)
 {
@@ -124,7 +133,7 @@ static bool is_nearly_statement(const char *text)
     size_t n = words_length(text);
     struct nearest nearest;
 
-    if (n < 3 || n >= sizeof word || text[n] == '-' || words_find(text, sentence_word, nsentence_words) >= 0)
+    if (n < 3 || n >= sizeof word || text[n] == '-' || is_short_word(text) || words_find(text, sentence_word, nsentence_words) >= 0)
         return false;
     memcpy(word, text, n);
     nearest = nearest_to(word);
@@ -312,17 +321,66 @@ static bool is_keyword(const char *text)
     return words_find(text, word, sizeof word / sizeof *word) >= 0 && !prose_is_keyword(text);
 }
 
-/* How many lines from here on read as prose; `end` is behind the last. */
-static int block_length(const char *text, const char **end)
+/* `Knit 4 rows`, `Row 1: ..`, `Then rep last 2 rows`, `k2, p2 rib 6 rows`: worked, where a sentence ends before. */
+static bool is_worked(const char *text)
 {
-    int n = 0;
+    static const char *const work[] = {"knit", "purl", "k", "p", "work"}, *const again[] = {"rep", "repeat"}, *const then[] = {"then", "now"};
+    const char *behind;
 
-    do {
-        n++;
-        *end = text + words_line_length(text);
+    if (words_find(text, then, 2) >= 0)
+        text = words_skip_blanks(text + words_length(text));
+    behind = words_skip_blanks(text + words_length(text));
+    if (prose_fabric_follows(text) && prose_row_count(text))
+        return true;
+
+    if (words_find(text, again, 2) >= 0)
+        return prose_repeats_rows(behind) && words_line_length(text) > 0;
+    return prose_pattern_follows(text) || (words_find(text, work, 5) >= 0 && prose_rows_follow(behind));
+}
+
+size_t prose_length(const struct scanner *scanner, const char *text)
+{
+    size_t line = words_line_length(text);
+
+    for (size_t i = 0; !scanner->section && i < line; i++) {
+        const char *next = words_skip_blanks(text + i + 1);
+
+        if (text[i] == '.' && isspace((unsigned char)text[i + 1]) && (scanner->begun ? is_worked(next) : prose_begins_cast_on(next) > 0))
+            return i;
+    }
+    return line;
+}
+
+/* `Now K 3, P 12, K 3 on the wrong side`, `Rib 2 and 2 for 6 rows`: a sentence that has stitches with their numbers, or rows. */
+static bool asks_for_work(const char *text, size_t length)
+{
+    static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const rib[] = {"rib", "work", "repeat"};
+    int stitches = 0;
+    bool rows = false;
+
+    for (size_t i = 0; i < length; i++) {
+        const char *behind = words_skip_blanks(text + i + words_length(text + i));
+
+        if ((i > 0 && isalnum((unsigned char)text[i - 1])) || !isalpha((unsigned char)text[i]))
+            continue;
+        stitches += words_find(text + i, stitch, 4) >= 0 && isdigit((unsigned char)*behind);
+        rows |= words_find(text + i, rib, 3) >= 0;
+    }
+    return stitches > 1 || (rows && words_find(text, rib, 3) >= 0 && prose_row_count(text) > 0 && prose_row_count(text) < length);
+}
+
+/* How many lines from here on read as prose, the first as far as it goes; `end` is behind the last. */
+static int block_length(const char *text, size_t length, const char **end)
+{
+    int n = 1;
+
+    for (*end = text + length; strchr("\r\n", **end); n++) {
         text = next_line(text);
-    } while (*text && !prose_statement_follows(text) && !is_labelled_statement(text) && !is_keyword(text) &&
-             !prose_is_keyword(text) && prose_reads(text, false));
+        if (!(*text && !is_worked(text) && !prose_statement_follows(text) && !is_labelled_statement(text) && !is_keyword(text) &&
+              !prose_is_keyword(text) && prose_reads(text, false)))
+            break;
+        *end = text + words_line_length(text);
+    }
     return n;
 }
 
@@ -355,7 +413,7 @@ bool scanner_prose(struct scanner *scanner)
 {
     struct parse *parse = scanner->parse;
     const char *text = parse->text + scanner->at, *end;
-    struct span span = {parse->source, scanner->at, scanner->at + (unsigned)words_line_length(text)};
+    struct span span = {parse->source, scanner->at, scanner->at + (unsigned)prose_length(scanner, text)};
     int lines;
 
     if (scanner->at < scanner->prose_end)
@@ -378,8 +436,14 @@ bool scanner_prose(struct scanner *scanner)
     if (scanner->begun && refused_sentence(parse->diag, span))
         return true;
 
+    if (scanner->begun && asks_for_work(text, prose_length(scanner, text))) {
+        diag_error(parse->diag, CODE_STATEMENT, span, "this asks for stitches, but which rows they are cannot be told");
+        diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`; so many rows: `Work 6 rows in k2, p2 rib`");
+        return true;
+    }
+
     /* Nothing says what this is: it is named, once for lines that follow each other. */
-    lines = block_length(text, &end);
+    lines = block_length(text, prose_length(scanner, text), &end);
     scanner->prose_end = (unsigned)(end - parse->text);
     if (lines == 1)
         diag_warning(parse->diag, CODE_PROSE, span, "this line is read as text, not as a part of the pattern");

@@ -57,6 +57,9 @@ bool prose_of_multiple(const struct scanner *);
 /* Whether numbers of several sizes stand in a part of a line, `4 (6, 8) rows`: reports them. */
 bool prose_sizes(struct scanner *, struct span);
 
+/* The bytes of prose: to the end of the line, or to the full stop that a part of the pattern follows. */
+size_t prose_length(const struct scanner *, const char *text);
+
 /* Whether the line that begins here is prose; warns where that is not certain. */
 bool scanner_prose(struct scanner *);
 

@@ -30,6 +30,7 @@ struct row_list {
     int label_room;
 
     struct filler *filler;
+    bool fresh;                     /* a filler was added since rows were worked */
     int last_label, first_label;    /* of this part of the pattern */
     int nsetup;                     /* numbered set-up rows */
     int worked_label;               /* of the numbered row worked last */

@@ -84,6 +84,11 @@ void row_list_check_side(struct row_list *list, const struct row_text *text, int
     row_list_fail(list);
 }
 
+bool rows_described(const struct row_list *list)
+{
+    return list->fresh && !list->npending && filler_for(list, list->first, row_list_side(list, list->norder)) && filler_for(list, list->first + 1, row_list_side(list, list->norder + 1));
+}
+
 /* The pending rows once, gaps filled by `all .. rows`. */
 void rows_work(struct row_list *list)
 {
@@ -93,8 +98,8 @@ void rows_work(struct row_list *list)
     if (!n && !list->filler)
         return;
     find_start(list);
-    if (!n && !list->norder)
-        n = filler_for(list, 1, row_list_side(list, 0)) == filler_for(list, 2, row_list_side(list, 1)) ? 1 : 2;
+    if (!n && (!list->norder || rows_described(list)))
+        n = filler_for(list, list->first, row_list_side(list, list->norder)) == filler_for(list, list->first + 1, row_list_side(list, list->norder + 1)) ? 1 : 2;
     else if (n && (list->norder + n) % 2 && filler_for(list, list->first + n, row_list_side(list, list->norder + n)))
         n++;
     for (int i = 0; i < n && !list->failed; i++) {
@@ -123,6 +128,7 @@ void rows_work(struct row_list *list)
         list->pending[i] = NULL;
     list->first = list->last_label + 1;
     list->npending = 0;
+    list->fresh = false;
 }
 
 void rows_add_setup(struct row_list *list, struct row_text *text, int label)

@@ -193,6 +193,7 @@ void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, 
     while (*last)
         last = &(*last)->next;
     *last = filler;
+    list->fresh = true;
     list->round |= text->round;
     list->flat |= !text->round;
     list->span = text->head;

@@ -80,6 +80,10 @@ void rows_add(struct row_list *, struct row_text *, int label);
 /* Works the rows given so far. */
 void rows_work(struct row_list *);
 
+/* Whether rows were given since the last were worked that stand for both sides, and no row with a number:
+ * `RS rows: knit`, `WS rows: purl`. */
+bool rows_described(const struct row_list *);
+
 /* Works a row that has no number: a set-up row, one of `knit 4 rows`. */
 void rows_add_next(struct row_list *, struct row_text *);
 

@@ -162,20 +162,6 @@ static size_t other_counts_length(const char *text, size_t at)
     return digits > 0 && strchr(".;,-([\x93\x94", text[digits - 1]) ? close : 0;
 }
 
-/* The full stop of `k.1`, `P.2`: the stitch and its number stand together. */
-static bool is_stop_of_stitch(const char *text, size_t at)
-{
-    return at > 0 && strchr("kKpP", text[at - 1]) && isdigit((unsigned char)text[at + 1]) && (at == 1 || !isalnum((unsigned char)text[at - 2]));
-}
-
-/* `:-` and `:—`, a printer's colon: its bytes. */
-static size_t colon_length(const char *text)
-{
-    size_t dash = text[1] == '-' ? 1 : strncmp(text + 1, "\xE2\x80\x93", 3) == 0 || strncmp(text + 1, "\xE2\x80\x94", 3) == 0 ? 3 : 0;
-
-    return dash && strchr(" \t\r\n", text[1 + dash]) ? 1 + dash : 0;
-}
-
 /* A bar of `| 1 | RS | k2, p2`: only numbers and sides stand before it on the line. */
 static bool is_table_bar(const char *text, size_t at)
 {
@@ -325,8 +311,6 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         return caption_length(here, plain);
     if (*here == '(' && other_counts_length(text, at))
         return other_counts_length(text, at);
-    if (*here == '.')
-        return is_stop_of_stitch(text, at);
     if (*here == '(')
         return begins ? remark_length(text, at) : 0;
     if (strncmp(here, "\xE2\x80\xA6", 3) == 0)
@@ -334,10 +318,6 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     if (*here == '~' && at > 0 && text[at - 1] == ' ' && here[1] == ' ') {
         strcpy(plain, "-");
         return 1;
-    }
-    if (*here == ':' && colon_length(here)) {
-        strcpy(plain, ":");
-        return colon_length(here);
     }
     if (*here == '[' && count_length(here) && !in_expression(text, at)) {
         snprintf(plain, SIGNS_PLAIN, "(%d)", atoi(here + 1));
@@ -358,8 +338,8 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         strcpy(plain, ";");
         return 1;
     }
-    if (begins && strncasecmp(here, "instead of ", 11) == 0 && strchr("kKpP", here[11]) && isdigit((unsigned char)here[12]))
-        return 12 + strspn(here + 12, "0123456789");
+    if (begins && strncasecmp(here, "instead of ", 11) == 0 && strchr("kKpP", here[11]) && isdigit((unsigned char)here[12 + strspn(here + 12, " ")]))
+        return 12 + strspn(here + 12, " 0123456789");
     if (!begins || !strchr("tfsenTFSEN", *here) || !*here)
         return 0;
     length = number_length(here, &number);

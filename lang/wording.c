@@ -9,11 +9,13 @@
 #include <strings.h>
 
 #include "lang/phrases.h"
+#include "lang/printed.h"
 #include "lang/prose.h"
 #include "lang/signs.h"
+#include "lang/turns.h"
 #include "lang/words.h"
 
-static const struct phrase table[] = {
+static const struct phrase pages[] = {
     /* to the end */
     {"all? the? rest|remainder of the|this? row|round|rnd|sts|stitches|way", "to end"},
     {"@ the rest|remainder", "to end"},
@@ -185,7 +187,7 @@ static const struct phrase table[] = {
     {"=cast|bind =on|off", ""},
     {"=same|work =as =row", ""},
 };
-enum { PHRASES = sizeof table / sizeof *table, WORDING = 32 };
+enum { PHRASES = sizeof pages / sizeof *pages, WORDING = 32 };
 
 /* The length of the first of the words a|b|c that stands in the text; 0: none does. */
 static size_t one_of(const char *words, const char *text)
@@ -323,8 +325,8 @@ static char *own_text(struct wording *w)
     return (char *)w->text;
 }
 
-/* Puts the phrase that begins here plainly. */
-static void put_phrase(struct wording *w, struct phrases *phrases, size_t at)
+/* Puts the phrase of a table that begins here plainly. */
+static void put_phrase(struct wording *w, struct phrases *phrases, const struct phrase *table, size_t at)
 {
     struct found found;
 
@@ -339,15 +341,45 @@ static void put_phrase(struct wording *w, struct phrases *phrases, size_t at)
     }
 }
 
+/* Behind a text in quotes that begins here; inches are none. */
+static size_t skip_quoted(const char *text, size_t at)
+{
+    size_t length = strcspn(text + at + 1, "\"\r\n");
+
+    return (at > 0 && isdigit((unsigned char)text[at - 1])) || text[at + 1 + length] != '"' ? at + 1 : at + length + 2;
+}
+
+/* Puts blanks for so many bytes, but for line ends where nothing plain stands for them. */
+static void put_blanks(struct wording *w, size_t at, size_t length, const char *plain)
+{
+    char *text = own_text(w) + at;
+
+    for (size_t i = 0; i < length; i++)
+        text[i] = !*plain && strchr("\r\n", text[i]) ? text[i] : ' ';
+    memcpy(text, plain, strlen(plain));
+}
+
+/* Puts a book's marks, and then its words, plainly. */
+static void put_printed(struct wording *w)
+{
+    char plain[PRINTED_PLAIN];
+    const char *marked = w->text;
+
+    for (size_t at = 0; at < w->size; at = marked[at] == '"' ? skip_quoted(marked, at) : at + 1)
+        if (printed_mark(marked, at))
+            put_blanks(w, at, printed_mark(marked, at), "");
+    for (size_t at = 0, length; at < w->size; at = w->text[at] == '"' ? skip_quoted(w->text, at) : at + 1)
+        if ((length = printed_length(w->text, at, plain)) > 0)
+            put_blanks(w, at, length, plain);
+}
+
 static void put_sign(struct wording *w, size_t at)
 {
     char plain[SIGNS_PLAIN];
     size_t length = signs_length(w->text, at, plain);
 
-    if (length) {
-        memset(own_text(w) + at, ' ', length);
-        memcpy(own_text(w) + at, plain, strlen(plain));
-    }
+    if (length)
+        put_blanks(w, at, length, plain);
 }
 
 static void put_rib(struct wording *w, size_t at, size_t length)
@@ -361,25 +393,38 @@ static void put_rib(struct wording *w, size_t at, size_t length)
 
 /* ---- signs ---- */
 
-/* How long `Scarf #1:` is at the beginning of a line, where a part of the pattern follows it; or 0. */
+/* Whether a cast-on follows: `Cast on 20 sts`, `With No. 9 needles cast on 20 sts`. */
+static bool cast_on_follows(const char *text)
+{
+    static const char *const with[] = {"with", "using", "on"};
+    size_t line = words_line_length(text);
+
+    text += strspn(text, " \t");
+    for (size_t i = 0; words_find(text, with, 3) >= 0 && i < line; i++)
+        if (text[i] == ' ' && prose_begins_cast_on(text + i + 1))
+            return true;
+    return prose_begins_cast_on(text) > 0;
+}
+
+/* How long `Scarf #1:`, `1st Square:`, `STRIP A.` is at the beginning of a line, where a part of the pattern follows it; or 0. */
 static size_t title_length(const char *text)
 {
-    size_t at = 0, words = 0, word[4], n;
+    static const char *const text_of[] = {"note", "notes", "tip", "tips", "gauge", "tension", "sample", "size", "sizes", "for"};
+    size_t at = 0, words = 0, digits = 0;
 
-    for (; words < 4 && isalpha((unsigned char)text[at]); at += strspn(text + at, " ."), words++) {
-        word[words] = at;
-        while (isalpha((unsigned char)text[at]))
-            at++;
-    }
-    at += text[at] == '#';
-    n = strspn(text + at, "0123456789");
-    if (!words || words > 3 || !n || text[at + n] != ':')
-        return 0;
-    while (words > 0)
-        if (prose_row_word(text + word[--words]))
+    for (; words < 6 && text[at] != ':'; at += strspn(text + at, " .&,-#'")) {
+        size_t n = strspn(text + at, "0123456789"), letters = words_length(text + at + n);
+
+        if (n + letters == 0 || prose_row_word(text + at + n) || words_find(text + at, text_of, sizeof text_of / sizeof *text_of) >= 0)
             return 0;
-    at += n + 1;
-    return prose_pattern_follows(text + at + strspn(text + at, " \t")) ? at : 0;
+        at += n + letters;
+        digits = letters ? 0 : n;
+        words++;
+    }
+    if (text[at] != ':' || !words)
+        return 0;
+    at++;
+    return cast_on_follows(text + at) || (digits && words > 1 && prose_pattern_follows(text + at + strspn(text + at, " \t"))) ? at : 0;
 }
 
 /* How long `Lace panel - ` is at the beginning of a line, before a row with its number; or 0. */
@@ -486,14 +531,6 @@ static void put_stars(struct wording *w, size_t rep)
             text[first] = '*';
 }
 
-/* Behind a text in quotes that begins here; inches are none. */
-static size_t skip_quoted(const char *text, size_t at)
-{
-    size_t length = strcspn(text + at + 1, "\"\r\n");
-
-    return (at > 0 && isdigit((unsigned char)text[at - 1])) || text[at + 1 + length] != '"' ? at + 1 : at + length + 2;
-}
-
 /* How long `k2, p3, ` is before a further stitch with its figure: no sign and no phrase begins in it. */
 static size_t stitches_length(const char *text)
 {
@@ -541,9 +578,10 @@ static size_t other_sizes_length(const struct wording *w, size_t at)
 const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
     struct wording w = {.arena = arena, .text = text, .size = size};
-    struct phrases *phrases = phrases_read(arena, table, PHRASES);
+    struct phrases *phrases = phrases_read(arena, pages, PHRASES), *printed = phrases_read(arena, turns, turns_number);
 
-    w.sizes = cast_on_sizes(text, &w.nsizes);
+    put_printed(&w);
+    w.sizes = cast_on_sizes(w.text, &w.nsizes);
     for (size_t at = 0; at < size;) {
         unsigned char c = (unsigned char)w.text[at];
 
@@ -579,8 +617,10 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
             put_stars(&w, at);
         put_sign(&w, at);
         c = (unsigned char)w.text[at];
-        if (isgraph(c))
-            put_phrase(&w, phrases, at);
+        if (isgraph(c)) {
+            put_phrase(&w, printed, turns, at);
+            put_phrase(&w, phrases, pages, at);
+        }
         at++;
         while (isalnum(c) && at < size && isalnum((unsigned char)w.text[at]))
             at++;

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A table: turns of phrase of printed books, and what they are plainly (phrases.h says how to read it). */
+#include "lang/turns.h"
+
+const struct phrase turns[] = {
+    /* plain and purl */
+    {"=knit|purl|k|p|k.|p. =# plain|purl =row|rows|round|rounds|rnd|rnds|rd|rds", ""},
+    {"=knit|k =# =row|rows|round|rounds|rnd|rnds|rd|rds plain", ""},
+    {"work|do # plain =row|rows|round|rounds|rnd|rnds|rd|rds", "knit #"},
+    {"work|do # purl =row|rows|round|rounds|rnd|rnds|rd|rds", "purl #"},
+    {"work|do =# =row|rows|round|rounds|rnd|rnds|rd|rds plain", "knit"},
+    {"^ # plain =row|rows|round|rounds|rnd|rnds|rd|rds", "k #"},
+    {"^ # purl =row|rows|round|rounds|rnd|rnds|rd|rds", "p #"},
+    {"=knit|k plain? for =# =row|rows|round|rounds|rnd|rnds|rd|rds", ""},
+    {"=knit|k plain", ""},
+    {"in plain - knitting|knit", "in garter"},
+    {"in plain knitting|knit", "in garter"},
+    {"plain =#", "k"},
+    {"=# plain", "k"},
+    {"seam =# =,|;|.|sts|stitches", "p"},
+
+    /* cast on */
+    {"^ set|put up|on =# =sts|stitches", "co"},
+    {"any number of sts|stitches divisible by", "multiple of"},
+    {"a? number of sts|stitches divisible by", "multiple of"},
+    {"stitches|sts in multiples of", "multiple of"},
+    {",? and # over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
+    {",? and # sts|stitches over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
+    {"=cast =on # sts|stitches for each|every pattern|patt|repeat", "multiple of #"},
+    {"=cast =on =# =sts|stitches|sts. , # patterns|patts|repeats|reps", ""},
+
+    {"=sts . =loosely|tightly|firmly|and|fairly|rather", ""},
+
+    /* rows again */
+    {"=# incl.|incl|inclusive", ""},
+    {"=row|rows|round|rounds|rnd|rnds alternately", ""},
+    {"=time|times|twice|once|more|thrice ,? then|and|and then? cast|bind off", "; bind off"},
+    {"=time|times|twice|once|more|thrice ,? and cast|bind off", "; bind off"},
+    {"=row|rows|round|rounds|rnd|rnds the same", ""},
+    {"=row|rows|round|rounds|rnd|rnds in the|this same? way|manner", ""},
+    {"=row|rows|round|rounds|rnd|rnds thus|so|likewise", ""},
+    {"work|continue|cont|repeat|rep until|till # complete? patterns|patts|pattern|repeats are|have|has been? completed|worked|done|complete|made", "rep them # times in all"},
+
+    /* within a row */
+    {"=repeat|rep the same", ""},
+    {"all round|around", "around"},
+    {"=last =#? =sts|stitches|st ,? which|these? knit|k", ", k to end"},
+    {"which knit|k", "k to end"},
+    {"which purl|p|pearl|seam", "p to end"},
+    {"knit|k over knit|k|knits and|, p|purl over purl|p|purls", "k k st p p st"},
+    {"purl|p over purl|p|purls and|, k|knit over knit|k|knits", "k k st p p st"},
+    {"knit|k over purl|p|purls and|, p|purl over knit|k|knits", "k p st p k st"},
+    {"purl|p over knit|k|knits and|, k|knit over purl|p|purls", "k p st p k st"},
+    {"as the sts|stitches face|appear|come|present you|themselves?", "k k st p p st"},
+    {"as facing", "k ks p ps"},
+
+    /* fabrics */
+    {"st. - st.|st", "st st"},
+    {"g. - st.|st", "g st"},
+    {"=beg|begin|beginning|start|starting|commencing purl|p =,|row|rows", "on p"},
+    {"beg|begin|start purl =, =work", "beg on p"},
+    {"beginning|starting|commencing purl", "beg with p"},
+    {"in rib|ribbing of", "in"},
+};
+const int turns_number = sizeof turns / sizeof *turns;
