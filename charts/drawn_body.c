@@ -57,9 +57,10 @@ static void trace_purl(cairo_t *cairo, const struct drawn_box *cell, enum purls 
     cairo_line_to(cairo, x + half, y);
 }
 
-/* A stitch of one's own: its symbol, as large as the cell takes it. */
-static void draw_letter(cairo_t *cairo, const struct drawn_box *cell, const char *symbol)
+/* A stitch of one's own: its symbol, as large as the cell takes it; its name where the symbol has no letters here. */
+static void draw_letter(cairo_t *cairo, const struct drawn_box *cell, const struct stitch *stitch)
 {
+    const char *symbol = lettering_knows(stitch->symbol) ? stitch->symbol : stitch->name;
     double size = fmin(0.8 * cell->height, 0.8 * cell->width / fmax(lettering_width(symbol, 1), 0.1));
     lettering_draw(cairo, cell->x + cell->width / 2, cell->y + cell->height / 2 + LETTERING_CAPITAL / 2 * size, size,
                    LETTERING_CENTRE, symbol);
@@ -93,7 +94,7 @@ static void draw_symbols(cairo_t *cairo, const struct scene *scene, const struct
             if (stitch == STITCH_P)
                 trace_purl(cairo, &cell, purls);
             else
-                draw_letter(cairo, &cell, scene->stitch[stitch].symbol);
+                draw_letter(cairo, &cell, &scene->stitch[stitch]);
         }
     struct drawn_box one = cell_box(g, box, 0, 0);
     cairo_set_line_width(cairo, purl_pen(&one, purls));

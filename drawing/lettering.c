@@ -2,7 +2,6 @@
  * Text without a font: a line of UTF-8 in, strokes of a round pen out. */
 #include "drawing/lettering.h"
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -172,6 +171,14 @@ static struct mark next_mark(const char **text)
         if (is_character(at, length, raised[i].utf8))
             return (struct mark){&ascii[raised[i].as - FIRST], 2 / 3., CAPITAL / 2.};
     return (struct mark){&box, 1, 0};
+}
+
+bool lettering_knows(const char *text)
+{
+    while (*text)
+        if (next_mark(&text).glyph == &box)
+            return false;
+    return true;
 }
 
 /* ---- drawing ---- */

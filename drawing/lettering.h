@@ -4,6 +4,8 @@
 #ifndef WEFT_LETTERING_H
 #define WEFT_LETTERING_H
 
+#include <stdbool.h>
+
 #include <cairo.h>
 
 enum lettering_align { LETTERING_LEFT, LETTERING_CENTRE, LETTERING_RIGHT };
@@ -17,6 +19,9 @@ enum lettering_align { LETTERING_LEFT, LETTERING_CENTRE, LETTERING_RIGHT };
 /* Length of a line of text (UTF-8: ASCII and what lettering.c's table adds; a
  * box stands for the rest), in the size's unit. */
 double lettering_width(const char *text, double size);
+
+/* Whether all characters have letters of their own, no box among them. */
+bool lettering_knows(const char *text);
 
 /* Draws a line of text in cairo's present colour: its left end, middle or right
  * end at x, its baseline at y.  Line width and path are left as they were found

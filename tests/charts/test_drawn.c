@@ -196,6 +196,27 @@ static void own_stitches_are_their_symbols(void **state)
     drop(g);
 }
 
+/* Two symbols without letters would look alike. */
+static void a_symbol_without_letters_is_the_stitchs_name(void **state)
+{
+    (void)state;
+    static const struct stitch arrows[] = {
+        {.name = "K", .symbol = "k", .ws = STITCH_P}, {.name = "P", .symbol = "p", .ws = STITCH_K},
+        {.name = "T", .symbol = "\u2192", .ws = 2},   {.name = "S", .symbol = "a\u00f6", .ws = 3},
+    };
+    const stitch_id cells[] = {2, 3};
+    struct grid g = {2, 1, cells};
+    struct scene scene = scene_of(&g);
+    scene.stitch = arrows;
+    struct bytes svg = draw(&scene, plain, CANVAS_SVG);
+    struct drawn_box body = body_of(svg.at);
+    for (int i = 0; i < 2; i++) {
+        struct point at = centre_of(&body, &g, i, 0);
+        assert_true(has_text(svg.at, at.x, at.y + LETTERING_CAPITAL / 2 * 12, 12, LETTERING_CENTRE, arrows[2 + i].name));
+    }
+    free(svg.at);
+}
+
 /* ---- pixels ---- */
 
 static cairo_status_t give(void *self, unsigned char *data, unsigned n)
@@ -506,6 +527,7 @@ int main(void)
         cmocka_unit_test(purls_are_dots_at_their_stitches),
         cmocka_unit_test(or_dashes),
         cmocka_unit_test(own_stitches_are_their_symbols),
+        cmocka_unit_test(a_symbol_without_letters_is_the_stitchs_name),
         cmocka_unit_test(pixels_show_the_grid),
         cmocka_unit_test(colors_are_the_palettes),
         cmocka_unit_test(row_numbers_stand_where_rows_begin),
