@@ -246,6 +246,26 @@ w.k:4:1: error: knit has too few words behind it [E0809]
    4 | knit +
      | ^~~~~~
 TEXT
+wrong 'too many words' 'in 1|drop f1 f2' <<'TEXT'
+w.k:4:1: error: drop has too many words behind it [E0809]
+   4 | drop f1 f2
+     | ^~~~~~~~~~
+TEXT
+wrong 'a yarn brought in twice' 'in 1|in 1' <<'TEXT'
+w.k:4:4: error: the carrier '1' is in already [E0809]
+   4 | in 1
+     |    ^
+TEXT
+wrong 'a yarn taken out that is out' 'out 2' <<'TEXT'
+w.k:3:5: error: the carrier '2' is out already [E0809]
+   3 | out 2
+     |     ^
+TEXT
+wrong 'a header without a colon' ';;Gauge 15' <<'TEXT'
+w.k:3:1: error: a header is a name, a colon and a value: `;;Carriers: 1 2 3` [E0805]
+   3 | ;;Gauge 15
+     | ^~~~~~~~~~
+TEXT
 wrong 'no stitch' 'in 1|out 1' <<'TEXT'
 w.k:1:1: error: there is no stitch in this file [E0806]
    1 | ;!knitout-2
