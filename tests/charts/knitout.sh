@@ -215,6 +215,11 @@ w.k:10:1: error: f1 does not face b2 [E0809]
   10 | xfer f1 b2
      | ^~~~~~~~~~
 TEXT
+wrong 'a transfer within a bed' "$three|xfer f1 f1" <<'TEXT'
+w.k:10:1: error: f1 does not face f1 [E0809]
+  10 | xfer f1 f1
+     | ^~~~~~~~~~
+TEXT
 wrong 'a word that is no operation' "$three|knot + f1 1" <<'TEXT'
 w.k:10:1: error: 'knot' is no operation of knitout [E0809]
   10 | knot + f1 1

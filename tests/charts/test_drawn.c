@@ -418,6 +418,12 @@ static void key_says_what_is_worked(void **state)
     assert_true(key_says(&scene, 0, "purl on RS, knit on WS"));
     assert_true(key_says(&scene, 1, "T on RS, S on WS"));
     assert_true(key_says(&scene, 2, "S on RS, T on WS"));
+    const struct stitch alike[] = {stitches[0], stitches[1], {.name = "T", .symbol = "t", .ws = 2}};
+    scene.stitch = alike;
+    scene.nstitches = 3;
+    scene.grid = &(struct grid){1, 1, own + 1};
+    assert_true(key_says(&scene, 0, "T"));
+    scene = scene_of(scene.grid);
     scene.grid = &(struct grid){4, 1, two};
     scene.round = true;
     assert_true(key_says(&scene, 0, "knit"));
@@ -465,6 +471,12 @@ static void repeat_is_boxed_at_the_lower_right(void **state)
     assert_true(fabs(box.width - 5 * 17.5) < 0.01 && fabs(box.height - 4 * 15) < 0.01);
     assert_true(fabs(box.x + box.width - body.x - body.width) < 0.01);
     assert_true(fabs(box.y + box.height - body.y - body.height) < 0.01);
+    const char *in_key = strstr(strstr(svg.at, "stroke:rgb(80%,0%,0%)") + 1, "stroke:rgb(80%,0%,0%)");
+    assert_non_null(in_key);
+    assert_true(box_of(in_key, "stroke:rgb(80%,0%,0%)").y > body.y + body.height);
+    free(svg.at);
+    svg = draw(&scene, (struct chart_look){.color = true}, CANVAS_SVG);
+    assert_null(strstr(svg.at, "rgb(80%,0%,0%)"));
     free(svg.at);
     scene.grid = &part;
     svg = draw(&scene, plain, CANVAS_SVG);
@@ -472,6 +484,69 @@ static void repeat_is_boxed_at_the_lower_right(void **state)
     free(svg.at);
     drop(part);
     drop(g);
+}
+
+/* ---- the page ---- */
+
+/* Heavy lines behind every tenth stitch from the right and every tenth row. */
+static void every_tenth_line_is_heavy(void **state)
+{
+    (void)state;
+    struct grid g = random_grid(23, 34, 2);
+    struct scene scene = scene_of(&g);
+    struct bytes svg = draw(&scene, plain, CANVAS_SVG);
+    struct drawn_box body = body_of(svg.at);
+    const char *path = strstr(strstr(svg.at, "stroke:rgb(30%,30%,30%)"), " d=\"") + 4;
+    double x[2], y[2], cell[2] = {body.width / 23, body.height / 34};
+    int n = 0, used;
+    for (; sscanf(path, " M %lf %lf L %lf %lf%n", x, y, x + 1, y + 1, &used) == 4; path += used, n++) {
+        double column = (body.x + body.width - x[0]) / cell[0], row = (body.y + body.height - y[0]) / cell[1];
+        assert_true(x[0] == x[1] ? fabs(column - 10 * (n + 1)) < 0.01 : fabs(row - 10 * (n - 1)) < 0.01);
+    }
+    assert_int_equal(n, 2 + 3);
+    free(svg.at);
+    drop(g);
+}
+
+/* Is all ink at least so many pixels away from the edges of the PNG? */
+static void check_margin(const struct scene *scene, int margin)
+{
+    cairo_surface_t *image = image_of(scene, plain);
+    int width = cairo_image_surface_get_width(image), height = cairo_image_surface_get_height(image);
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++)
+            if ((x < margin || y < margin || x >= width - margin || y >= height - margin) &&
+                pixel_at(image, x / 2.0, y / 2.0) != 0xffffff)
+                fail_msg("ink at %d, %d of %d x %d", x, y, width, height);
+    cairo_surface_destroy(image);
+}
+
+static void nothing_is_cut_off(void **state)
+{
+    (void)state;
+    static const struct stitch named[] = {
+        {.name = "K", .symbol = "k", .ws = STITCH_P}, {.name = "P", .symbol = "p", .ws = STITCH_K},
+        {.name = "a_stitch_with_a_name_wider_than_its_chart", .symbol = "t", .ws = 2},
+    };
+    static const struct { int columns, rows; } sizes[] = {{1, 1}, {1, 2}, {3, 120}, {20, 14}, {300, 3}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        struct grid g = random_grid(sizes[i].columns, sizes[i].rows, 2);
+        struct scene scene = scene_of(&g);
+        for (int round = 0; round < 2; round++) {
+            scene.round = round;
+            check_margin(&scene, 12);
+        }
+        scene.title = "a_motif_whose_name_is_far_longer_than_the_chart_of_it_is_wide";
+        check_margin(&scene, 12);
+        scene.title = NULL;
+        scene.file = "-";
+        check_margin(&scene, 12);
+        drop(g);
+    }
+    struct scene scene = scene_of(&(struct grid){1, 1, (const stitch_id[]){2}});
+    scene.stitch = named;
+    scene.nstitches = 3;
+    check_margin(&scene, 12);
 }
 
 /* ---- files ---- */
@@ -537,6 +612,8 @@ int main(void)
         cmocka_unit_test(key_says_what_is_worked),
         cmocka_unit_test(repeats_are_the_smallest),
         cmocka_unit_test(repeat_is_boxed_at_the_lower_right),
+        cmocka_unit_test(every_tenth_line_is_heavy),
+        cmocka_unit_test(nothing_is_cut_off),
         cmocka_unit_test(pdf_has_the_size_of_the_svg),
         cmocka_unit_test(sizes_have_limits),
         cmocka_unit_test(a_million_stitches_are_a_small_file),

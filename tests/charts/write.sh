@@ -202,6 +202,9 @@ for formula in '(x * x + 3 * y * y + x * y) mod 6' '(x + y) mod 6' '(x + 2 * flo
     check 'their symbols, too' sh -c '"$1" chart "$2/own.knit" >"$2/a" && "$1" chart "$2/written.knit" | diff "$2/a" -' - "$WEFT" "$work"
     check "own stitches in the round: $formula" back "$work/own.knit" --round
 done
+printf 'stitch T { ws = S }\nstitch S { }\nswatch above(S, S, S)\n' >"$work/own.knit"
+exits 0 'a stitch that shows itself, and shows for another, too' "$WEFT" write "$work/own.knit"
+out 'is worked as itself' '^Rows 1-3: S\. (1 st)$'
 printf 'stitch T { ws = S }\nstitch S { }\nswatch above(K, T)\n' >"$work/own.knit"
 exits 3 'a stitch that no row of the wrong side can show' "$WEFT" write "$work/own.knit"
 err 'is named' 'no stitch worked on the wrong side shows the stitch T'
