@@ -203,6 +203,14 @@ static long long some_repeats(struct diag *diag, struct span span, long long of,
     return width;
 }
 
+/* The count behind a row, where the rows fit it: no need of a cast-on. */
+static long long said_width(const struct body *body, const struct fit *fit)
+{
+    long long width = rows_said_width(body->rows);
+
+    return width >= fit->least && width >= fit->plus && (fit->multiple ? (width - fit->plus) % fit->multiple == 0 : width == fit->plus) ? width : 0;
+}
+
 /* The width of rows that no cast-on gives. */
 static long long open_width(struct compilation *c, const struct body *body)
 {
@@ -211,6 +219,8 @@ static long long open_width(struct compilation *c, const struct body *body)
 
     if (!rows_fit(body->rows, &fit) || !rows_good(body->rows))
         return 0;
+    if (said_width(body, &fit) > 0)
+        return said_width(body, &fit);
     if (!fit.multiple && fit.plus)
         return fit.plus;
     if (!fit.multiple) {
@@ -233,14 +243,15 @@ static long long open_width(struct compilation *c, const struct body *body)
 /* A pattern from a stitch dictionary says its multiple and no more. */
 static long long assumed_width(struct compilation *c, const struct body *body)
 {
-    long long of, plus;
+    long long of, plus, width;
     struct fit fit;
 
     if (!rows_fit(body->rows, &fit) || !rows_good(body->rows) || !multiple_of(c, body, &of, &plus))
         return 0;
     if (!fit.multiple)
         return fit.plus;
-    return some_repeats(c->eval.diag, body->multiple.span, of, plus, 0);
+    width = said_width(body, &fit);
+    return width > 0 && (width - plus) % of == 0 ? width : some_repeats(c->eval.diag, body->multiple.span, of, plus, 0);
 }
 
 static const struct grid *grid_of_body(struct compilation *c, struct body *body)

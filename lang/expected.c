@@ -23,7 +23,7 @@ static const struct family {
     {"stitches", {"'knit the knits and purl the purls'", "a name", "'('", "'['", "so many times", "'*' in a row", "'as row'", "'as 3rd row'", "a fabric's name"}},
     {NULL, {"'to end'", "'to end, ending'", "'ending last repeat'", "'to last'", "'until'", "'twice'", "'x' (times)", "a number", "'{' of a number",
             "'sts'", "'repeat'", "'('", "'['"}},
-    {NULL, {"'--'", "'repeat' without a star"}},
+    {NULL, {"'--'", "'repeat' without a star", "RS or WS behind a row"}},
 
     {"a number", {"a number", "'{' of a number"}},
     {"the end of the line", {"the end of the line", "the end of the text"}},

@@ -240,6 +240,22 @@ static bool has_own_words(const struct format *f, const struct token *first, con
     return row && row->reference && (row->times || row->reference->next || row->reference->last || row->reference->all);
 }
 
+/* The end of a statement's text: behind a bracket read over in part, and behind a word whose letters are written in more bytes. */
+static unsigned text_end(const char *text, struct span span)
+{
+    unsigned at = span.end, close = span.end + (unsigned)strcspn(text + span.end, ")\r\n#");
+    int open = 0;
+    bool wide = false;
+
+    for (unsigned i = span.start; i < span.end; i++)
+        open += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    if (open > 0 && text[close] == ')')
+        return close + 1;
+    while (at > span.start && !strchr(" \t\r\n", text[at - 1]))
+        wide |= (unsigned char)text[--at] >= 0x80;
+    return wide ? span.end + (unsigned)strcspn(text + span.end, " \t\r\n") : span.end;
+}
+
 static void format_row(struct format *f, int indent)
 {
     const struct token *first = token(f);
@@ -252,6 +268,7 @@ static void format_row(struct format *f, int indent)
     while (span.start > first->label.end && strchr("*_", f->source->text[span.start - 1]))
         span.start--;
     if (verbatim) {
+        span.end = text_end(f->source->text, span);
         format_verbatim(f, span, indent);
         layout_add(f->out, ".", !comments && stop_follows(f, span.end));
     } else

@@ -7,6 +7,7 @@
 
 #include "lang/compile.h"
 #include "lang/limits.h"
+#include "lang/marks.h"
 #include "lang/scanner.h"
 #include "lang/wording.h"
 
@@ -36,7 +37,7 @@ static struct span whole_line(const struct source *source, size_t at)
 
 static const struct format *find_format(const char *text)
 {
-    if (*text == '[' && isupper((unsigned char)text[1]))    /* a remark of a printed book */
+    if (marks_are_tag(text) || (*text == '[' && isupper((unsigned char)text[1])))    /* a piece of a page; a remark of a printed book */
         return NULL;
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (strncmp(text, formats[i].first, strlen(formats[i].first)) == 0)
@@ -187,7 +188,7 @@ const char *source_plain(struct arena *arena, const struct source *source)
         at += strlen(spelling->text) - 1;
         text[at] = spelling->plain;
     }
-    return wording_plain(arena, text ? text : source->text, source->size);
+    return wording_plain(arena, marks_plain(arena, text ? text : source->text, source->size), source->size);
 }
 
 struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names,

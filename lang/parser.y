@@ -156,6 +156,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token SETUP_ROW        "'set-up row' behind its number"
 %token <all> ALL        "'all rows'"
 %token <side> SIDE      "RS or WS"
+%token <side> WORKED_ON "RS or WS behind a row"
 %token <all> AND_ALL    "'and all rows'"
 %token AND              "'and'"
 %token RANGE            "'-' between row numbers"
@@ -404,7 +405,10 @@ chart_lines:
 
 /* ---- written rows ---- */
 
-row_statement: row_head ':' row_body    { $$ = stmt_row(parse, @$, syntax_row(parse, $row_head, @1, $row_body, @3)); };
+row_statement:
+  row_head ':' row_body                 { $$ = stmt_row(parse, @$, syntax_row(parse, $row_head, @1, $row_body, @3)); }
+| row_head ':' row_body WORKED_ON       { $$ = stmt_row(parse, @$, syntax_row(parse, syntax_sided(parse, $row_head, @4, $4), @1, $row_body, @3)); }
+;
 
 row_head:
   ROW row_sides                         { $$ = syntax_head(parse, $ROW, $2, NULL); }

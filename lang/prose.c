@@ -79,6 +79,12 @@ static bool no_file(const char *text)
     return *text != '"' && *text != '\xE2' && !words_line_has(text, "from") && !words_line_has(text, "std");
 }
 
+/* "Let me know how it goes": more words, and no value. */
+static bool no_value(const char *text)
+{
+    return !line_has(text, "=0123456789") && words_length(words_skip_blanks(text + words_length(text))) > 0;
+}
+
 static bool is_labelled(const char *text)
 {
     return *text == ':';
@@ -92,7 +98,7 @@ bool prose_is_keyword(const char *text)
     } words[] = {{"knit", no_version}, {"gauge", no_block}, {"material", no_block},  {"springs", no_block},
                  {"mesh", no_block},   {"solve", no_block}, {"stitch", no_body},     {"chart", no_body},
                  {"if", no_body},      {"for", no_loop},    {"swatch", is_labelled}, {"motif", is_labelled},
-                 {"use", no_file}};
+                 {"use", no_file},      {"let", no_value}};
     const char *behind = words_skip_blanks(text + words_length(text));
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)

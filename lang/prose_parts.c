@@ -56,7 +56,7 @@ bool prose_repeats_rows(const char *text)
 
     /* `repeat until it measures 8 in`; not `repeat until 2 sts remain`. */
     if (words_is(text, "until") || words_is(text, "till"))
-        return lengths_follow(text);
+        return lengths_follow(text) || words_line_has(text, "rows") || words_line_has(text, "rounds");
     return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
            (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
 }
@@ -151,6 +151,10 @@ bool prose_stitches_follow(const char *text)
         return (words_are_rows(next) && !says_how_often(next)) || (isdigit((unsigned char)*next) && prose_line_ends(next + strspn(next, "0123456789")));
     if (words_find(text, stitch, 4) < 0 && !(strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
         return false;
+    if ((words_is(next, "every") || words_is(next, "each")) && words_are_stitches(words_skip_blanks(next + words_length(next))))
+        return true;
+    if (strchr("([", *next) && *next && isdigit((unsigned char)next[1]))
+        return true;
     return isdigit((unsigned char)text[1]) || !*next || strchr(".,|\r\n", *next) || words_find(next, behind, 3) >= 0 ||
            (isdigit((unsigned char)*next) && !words_are_rows(words_skip_blanks(next + strspn(next, "0123456789"))));
 }
@@ -218,6 +222,42 @@ bool prose_rows_follow(const char *text)
     if (behind && words_is(behind, "more"))
         behind = words_skip_blanks(behind + 4);
     return behind && words_are_rows(behind);
+}
+
+bool prose_rows_are_named(const char *text)
+{
+    const char *behind = words_behind_number(text);
+
+    return behind && words_are_rows(behind) && strchr(",:", *words_skip_blanks(behind + words_length(behind))) && *words_skip_blanks(behind + words_length(behind));
+}
+
+bool prose_names_needle(const char *text)
+{
+    static const char *const words[] = {"needle", "needles", "dpn", "pin"};
+
+    text = words_skip_blanks(text);
+    return words_find(text, words, 4) >= 0 && strchr(":,-(", *words_skip_blanks(text + words_length(text))) && !prose_line_ends(text + words_length(text));
+}
+
+/* A sentence: no sign, no number, and no word of a row's text. */
+bool prose_tells_of_row(const char *text)
+{
+    static const char *const work[] = {"rs", "ws", "right", "wrong", "k", "p", "knit", "purl", "as", "rep", "repeat", "same", "work", "to", "and", "all",
+                                       "set", "setup", "row", "rows", "st", "sts", "garter", "seed", "moss", "rib", "through", "sl", "slip", "yo", "inc", "dec",
+                                       "increase", "decrease", "cast", "bind", "co", "bo", "across", "end", "in", "with", "cable", "cross"};
+    int words = 0;
+
+    text = words_skip_blanks(text);
+    text += strspn(text, "0123456789");
+    for (text = words_skip_blanks(text); *text && !strchr("\r\n", *text); words++) {
+        size_t n = words_length(text);
+
+        if (!n || words_find(text, work, sizeof work / sizeof *work) >= 0)
+            return false;
+        text += n;
+        text += strspn(text, " \t,.!?'-");
+    }
+    return words > 2;
 }
 
 bool prose_row_follows(const char *text)

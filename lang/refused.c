@@ -6,7 +6,7 @@
 #include <ctype.h>
 #include <string.h>
 
-enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE, RIBS };
+enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE, RIBS, MACHINE };
 enum { WORDS = 64, LONGEST = 100 };
 
 /* Each with the word and what it is. */
@@ -23,6 +23,8 @@ static const struct {
     [MARKERS] = {CODE_ELSEWHERE, "'%s' (%s): where markers hang is not kept", "say the stitches: `k to last 4 sts`"},
     [ELSEWHERE] = {CODE_ELSEWHERE, "'%s' is %s; version 1 needs the row's stitches themselves",
                    "write the row out, edges and all; or make the panel a motif: `beside(tile(garter, 5, 2), panel, ..)`"},
+    [MACHINE] = {CODE_ELSEWHERE, "'%s' (%s): a machine knits every row from one side, and here the sides take turns",
+                 "what `knit 20 rows` makes on a machine is `Work 20 rows in st st`"},
     [RIBS] = {CODE_ELSEWHERE, "'%s' is %s; version 1 needs the stitches themselves", "`[k1, p1] twice`, or `*k1, p1; rep from * to last 3 sts`"},
 };
 
@@ -69,7 +71,8 @@ static const struct {
     {"a bead", TOPOLOGY,
      {"bead*", "pb", "place", "add bead", "add a bead"}},
     {"a colour", COLOURS,
-     {"mc", "cc", "cc#", "with", "using", "in a", "in b", "in c", "in mc", "in cc", "colour*", "color*", "col", "yarn", "change",
+     {"mc", "cc", "cc#", "with", "using", "in a", "in b", "in c", "in mc", "in cc", "in white", "in black", "in red", "in blue", "in green",
+      "in main", "in contrast", "colour*", "color*", "col", "yarn", "change",
       "switch"}},
     {"a marker", MARKERS,
      {"to *m", "to *marker", "until *m", "until *marker", "till *m"}},
@@ -245,6 +248,8 @@ static const struct {
     {"^slip #", "a slipped stitch", TOPOLOGY},
     {"^slip first", "a slipped stitch", TOPOLOGY},
     {"^slip the first", "a slipped stitch", TOPOLOGY},
+    {"rc #", "a machine's row counter", MACHINE},
+    {"carriage", "a machine's", MACHINE},
     {"^work short rows", "short rows", SHORT_ROWS},
     {"^with ~", "a colour", COLOURS},
     {"^using ~", "a colour", COLOURS},

@@ -47,6 +47,14 @@ bool rows_one_repeat(const struct row_list *list, const struct fit *all)
     return false;
 }
 
+long long rows_said_width(const struct row_list *list)
+{
+    for (int i = 0; i < list->norder; i++)
+        if (list->order[i]->check > 0)
+            return list->order[i]->check;
+    return 0;
+}
+
 static bool nothing_below(struct row_list *list, const struct row_text *text)
 {
     const char *row = list->round ? "rnd" : row_list_side(list, 0) == SIDE_WS ? "row (RS)" : "row (WS)";

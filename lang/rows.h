@@ -134,6 +134,9 @@ bool rows_good(const struct row_list *);
 bool rows_round(const struct row_list *);
 int rows_count(const struct row_list *);
 
+/* The count behind the first row that has one, `(24 sts)`; 0: none has. */
+long long rows_said_width(const struct row_list *);
+
 /* Whether one row alone says how the widths repeat that all fit. */
 bool rows_one_repeat(const struct row_list *, const struct fit *);
 

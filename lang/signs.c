@@ -10,6 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/prose.h"
 #include "lang/words.h"
 
 /* ---- numbers in letters ---- */
@@ -135,6 +136,231 @@ static size_t caption_length(const char *text, char plain[static SIGNS_PLAIN])
     memcpy(plain, text, count);
     plain[words ? count : 0] = '\0';
     return words ? at : 0;
+}
+
+/* ---- counts ---- */
+
+/* Whether the line has the name of a row, and this stands behind it. */
+static bool in_row(const char *text, size_t at)
+{
+    static const char *const sides[] = {"rs", "ws", "next", "set"};
+    size_t line = at, number;
+
+    while (line > 0 && !strchr("\r\n", text[line - 1]))
+        line--;
+    line += strspn(text + line, " \t-*+>|_(");
+    number = line + strspn(text + line, "0123456789");
+    return line < at && ((number > line && strchr(".:)|/(- ", text[number + (text[number] == ' ')])) || words_are_rows(text + line) || words_find(text + line, sides, 4) >= 0 ||
+                         (tolower((unsigned char)text[line]) == 'r' && isdigit((unsigned char)text[line + 1])));
+}
+
+/* What may open a count, what closes it, and whether it must say of what. */
+static const struct opening {
+    const char *sign;
+    char close;
+    bool named;
+} openings[] = {{"<", '>', false}, {"{", '}', true}, {"=", 0, false}, {"|", '|', false}, {"(", ')', true}, {"[", ']', true}, {"//", 0, true},
+                {":", 0, true}, {"-", 0, true}, {"~", 0, true}, {"\xE2\x80\x93", 0, true}, {"\xE2\x80\x94", 0, true}, {"", 0, true}};
+enum { OPENINGS = sizeof openings / sizeof *openings };
+
+/* `You should have 24 sts on the needle.` up to the line's end, or up to `close`; 0: something else. */
+static size_t sentence_length(const char *text, char close, bool named, int *number)
+{
+    static const char *const words[] = {"st", "sts", "stitch", "stitches", "total", "count", "you", "should", "will", "now", "have", "there", "are",
+                                        "on", "the", "your", "needle", "needles", "in", "all", "remain", "remaining", "rem", "left", "each"};
+    size_t at = 0, n, numbers = 0;
+
+    for (; text[at] && !strchr("\r\n", text[at]) && text[at] != close; at += n ? n : 1) {
+        n = words_length(text + at);
+        if (n ? words_find(text + at, words, sizeof words / sizeof *words) < 0 : !strchr(" \t.:0123456789", text[at]))
+            return 0;
+        named &= words_find(text + at, words, 6) < 0;
+        if (!n && isdigit((unsigned char)text[at])) {
+            n = strspn(text + at, "0123456789");
+            *number = n < 7 ? atoi(text + at) : 0;
+            numbers++;
+        }
+    }
+    if (numbers != 1 || named || !*number || (close && close != '|' && text[at] != close))
+        return 0;
+    at += close && text[at] == close;
+    n = at + strspn(text + at, " \t.");
+    return text[n] && !strchr("\r\n", text[n]) ? 0 : at;
+}
+
+/* `<24 sts>`, `= 24`, `(total: 24 sts)` at a row's end: its bytes, and `(24)`. */
+static size_t said_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const begins[] = {"you", "there", "now", "total", "stitch"};
+    const char *here = text + at;
+    const struct opening *opening = openings;
+    size_t length;
+    int number = 0;
+
+    while (strncmp(here, opening->sign, strlen(opening->sign)) != 0)
+        opening++;
+    if (strchr("([", *here) && asserted_length(here))
+        return 0;
+    if (!*opening->sign && (words_find(here, begins, 5) < 0 || at < 2 || !strchr(".;,", text[at - 1 - (text[at - 1] == ' ')])))
+        return 0;
+    length = strlen(opening->sign);
+    length += opening->close ? 0 : strspn(here + length, "->");
+    number = 0;
+    if (!sentence_length(here + length, opening->close, opening->named, &number) || !in_row(text, at))
+        return 0;
+    length += sentence_length(here + length, opening->close, opening->named, &number);
+    snprintf(plain, SIGNS_PLAIN, "(%d)", number);
+    if (strlen(plain) > length)
+        *plain = '\0';
+    return *plain ? length : 0;
+}
+
+/* The bar that ends a line of a table, with a number behind it where it is no row's. */
+static size_t last_bar_length(const char *text, size_t at)
+{
+    size_t line = at, end = at + 1 + strspn(text + at + 1, " \t0123456789");
+
+    end += text[end] == '|';
+    end += strspn(text + end, " \t");
+    if (text[end] && !strchr("\r\n", text[end]))
+        return 0;
+    while (line > 0 && !strchr("\r\n", text[line - 1]))
+        line--;
+    return in_row(text, at) || prose_statement_follows(text + line + strspn(text + line, " \t|")) ? end - at : 0;
+}
+
+/* `(boring, I know!)`: words to the reader in brackets, and none of a technique. */
+static size_t chatter_length(const char *text)
+{
+    static const char *const work[] = {"k", "p", "knit", "purl", "twice", "times", "rep", "repeat", "row", "rows", "end", "rs", "ws", "through", "back",
+                                       "loop", "loops", "front", "yarn", "with", "in", "as", "if", "color", "colour", "twisted", "slip", "wrap", "turn"};
+    size_t at = 1, n, words = 0;
+
+    for (; text[at] && !strchr("\r\n()", text[at]); at += n ? n : 1) {
+        n = words_length(text + at);
+        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" ,.!?;'\xE2\x80\x99-", text[at]))
+            return 0;
+        words += n > 0;
+    }
+    return text[at] == ')' && words > 1 && strchr("!?", text[at - 1]) ? at + 1 : 0;
+}
+
+/* `:)`, `<3` behind a blank. */
+static size_t face_length(const char *text, size_t at)
+{
+    static const char *const faces[] = {":-)", ":)", ";-)", ";)", ":D", "<3", ":-D", "^^"};
+
+    for (size_t i = 0; at > 0 && text[at - 1] == ' ' && i < sizeof faces / sizeof *faces; i++)
+        if (strncmp(text + at, faces[i], strlen(faces[i])) == 0 && (!text[at + strlen(faces[i])] || strchr(" \r\n", text[at + strlen(faces[i])])))
+            return strlen(faces[i]);
+    return 0;
+}
+
+/* ---- other words for stitches and rows ---- */
+
+/* The number of the row whose text begins here, `Row 6: `; 0: none begins, or one of several rows. */
+static int row_begun(const char *text, size_t at)
+{
+    size_t digits, colon;
+
+    while (at > 0 && text[at - 1] == ' ')
+        at--;
+    if (at == 0 || text[at - 1] != ':')
+        return 0;
+    at--;
+    if (at > 4 && text[at - 1] == ')' && text[at - 4] == '(')
+        at -= 4 + (text[at - 5] == ' ');
+    for (digits = colon = at; digits > 0 && isdigit((unsigned char)text[digits - 1]);)
+        digits--;
+    return digits == colon || colon - digits > 6 || (digits > 0 && !strchr(" rR", text[digits - 1])) ? 0 : atoi(text + digits);
+}
+
+/* The stitch that `2 right`, `2 wrong`, `2 plain` of a translation mean: its letter; or 0. */
+static char translated_stitch(const char *text, size_t at)
+{
+    static const char *const words[] = {"right", "rights", "plain", "wrong", "wrongs"}, *const others[] = {"side", "sides", "row", "rows", "rnd", "rnds", "round", "rounds"};
+    int word = words_find(text + at, words, 5);
+    const char *behind = words_skip_blanks(text + at + words_length(text + at));
+
+    if (word < 0 || at < 2 || text[at - 1] != ' ' || !isdigit((unsigned char)text[at - 2]) || words_find(behind, others, 8) >= 0 || !in_row(text, at))
+        return 0;
+    return word < 3 ? 'k' : 'p';
+}
+
+/* `plain` behind `Row 3:`, alone: a row of knit stitches. */
+static bool is_plain_row(const char *text, size_t at)
+{
+    return words_is(text + at, "plain") && row_begun(text, at) && prose_line_ends(text + at + 5);
+}
+
+/* `(RS)` at a row's end: which side it is worked on, its brackets gone. */
+static size_t side_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const sides[] = {"rs", "ws"};
+    int side = words_find(text + at + 1, sides, 2);
+
+    if (side < 0 || text[at + 3] != (text[at] == '(' ? ')' : ']') || !prose_line_ends(text + at + 4) || !in_row(text, at) || at == 0 || row_begun(text, at + 1))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, " %s", sides[side]);
+    return 4;
+}
+
+/* `// fixed`, `<- odd one`: words to the reader up to the line's end. */
+static size_t aside_length(const char *text, size_t at)
+{
+    size_t n = strncmp(text + at, "//", 2) == 0 || strncmp(text + at, "<-", 2) == 0 ? 2 : 0;
+
+    if (!n || at == 0 || text[at - 1] != ' ' || words_line_has(text + at, "rep") || words_line_has(text + at, "repeat") || !in_row(text, at))
+        return 0;
+    return strcspn(text + at, "0123456789*()[]") < words_line_length(text + at) ? 0 : words_line_length(text + at);
+}
+
+/* The dots of `K2, P2 ... end K2`. */
+static size_t dots_length(const char *text, size_t at)
+{
+    size_t n = strncmp(text + at, "...", 3) == 0 || strncmp(text + at, "\xE2\x80\xA6", 3) == 0 ? 3 : 0;
+    const char *behind = words_skip_blanks(text + at + n);
+
+    return n && (words_is(behind, "end") || words_is(behind, "ending")) && in_row(text, at) ? n : 0;
+}
+
+/* `Same.`, `as above`, `repeat previous row` behind `Row 6:`: its bytes, and `as 5`. */
+static size_t previous_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const leads[] = {"same", "ditto", "idem", "as", "like", "repeat", "rep", "work", "for", "the"}, *const which[] = {"previous", "preceding", "last", "prior", "above", "before"};
+    bool same = words_find(text + at, leads, 3) >= 0;
+    size_t end = at;
+    int row = row_begun(text, at);
+
+    while (words_find(text + end, leads, 10) >= 0)
+        end += words_length(text + end) + (text[end + words_length(text + end)] == ' ');
+    if (row < 2 || end == at)
+        return 0;
+    if (words_find(text + end, which, 6) >= 0) {
+        same = words_find(text + end, which, 6) > 3;
+        end += words_length(text + end) + (text[end + words_length(text + end)] == ' ');
+        if (words_are_rows(text + end))
+            end += words_length(text + end);
+        else if (!same)
+            return 0;
+    } else if (!same) {
+        return 0;
+    }
+    if (!prose_line_ends(text + end))
+        return 0;
+    end += text[end] == '.';
+    snprintf(plain, SIGNS_PLAIN, "as %d", row - 1);
+    return strlen(plain) <= end - at ? end - at : 0;
+}
+
+/* The blank before `CO 20`, the comma before `R2:`: where a sentence ends and a part of the pattern begins. */
+static bool is_end_of_sentence(const char *text, size_t at)
+{
+    const char *behind = words_skip_blanks(text + at + 1);
+
+    if (text[at] == ',')
+        return tolower((unsigned char)*behind) == 'r' && isdigit((unsigned char)behind[1]) && behind[1 + strspn(behind + 1, "0123456789")] == ':';
+    return at > 0 && text[at - 1] == '.' && words_is(behind, "co") && isdigit((unsigned char)*words_skip_blanks(behind + 2));
 }
 
 /* ---- marks ---- */
@@ -264,6 +490,20 @@ static bool is_between_rows(const char *text, size_t at)
     return words_find(text + word, again, sizeof again / sizeof *again) < 0;
 }
 
+/* The second letter of `R7-R8`. */
+static bool is_second_row(const char *text, size_t at)
+{
+    size_t before = at;
+
+    while (before > 0 && strchr(" -\xE2\x80\x93\x94", text[before - 1]))
+        before--;
+    if (before == at || !isdigit((unsigned char)text[at + 1]) || before == 0 || !isdigit((unsigned char)text[before - 1]))
+        return false;
+    while (before > 0 && isdigit((unsigned char)text[before - 1]))
+        before--;
+    return before > 0 && strchr("rR", text[before - 1]) && (before == 1 || !isalnum((unsigned char)text[before - 2]));
+}
+
 /* `3rd and 4th rows` behind `work`, `then`: its bytes, and `rows 3 and 4`. */
 static size_t ordinals_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
@@ -309,6 +549,35 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     *plain = '\0';
     if (strchr("([", *here) && *here && caption_length(here, plain))
         return caption_length(here, plain);
+    if (*here && strchr("<{=|([/:-~\xE2tTyYnNsS", *here) && (begins || !isalpha((unsigned char)*here)) && (length = said_length(text, at, plain)) > 0)
+        return length;
+    if (*here && strchr(":;<^", *here) && face_length(text, at))
+        return face_length(text, at);
+    if (*here && strchr("rRpPwW", *here) && begins && translated_stitch(text, at)) {
+        *plain = translated_stitch(text, at);
+        plain[1] = '\0';
+        return words_length(here);
+    }
+    if (*here && strchr("sSaAlLrRwWdDiI", *here) && begins && (length = previous_length(text, at, plain)) > 0)
+        return length;
+    if (*here == 'p' && begins && is_plain_row(text, at)) {
+        strcpy(plain, "knit");
+        return 5;
+    }
+    if (*here && strchr("([", *here) && side_length(text, at, plain))
+        return side_length(text, at, plain);
+    if (*here && strchr("/<", *here) && aside_length(text, at))
+        return aside_length(text, at);
+    if (*here && strchr(".\xE2", *here) && dots_length(text, at)) {
+        strcpy(plain, "rep");
+        return 3;
+    }
+    if ((*here == ' ' || *here == ',') && is_end_of_sentence(text, at)) {
+        strcpy(plain, "\n");
+        return 1;
+    }
+    if (*here == '(' && chatter_length(here))
+        return chatter_length(here);
     if (*here == '(' && other_counts_length(text, at))
         return other_counts_length(text, at);
     if (*here == '(')
@@ -330,10 +599,12 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     if (at > 0 && text[at - 1] == ' ' &&
         (strncmp(here, "- ", 2) == 0 || strncmp(here, "\xE2\x80\x93 ", 4) == 0 || strncmp(here, "\xE2\x80\x94 ", 4) == 0))
         return dash_remark_length(text, at);
+    if (strchr("rR", *here) && *here && is_second_row(text, at))
+        return 1;
     if (begins && isdigit((unsigned char)*here))
         return ordinals_length(text, at, plain);
     if (*here == '|')
-        return is_table_bar(text, at);
+        return is_table_bar(text, at) ? 1 : last_bar_length(text, at);
     if (*here == ' ' && row_begins(text, at)) {
         strcpy(plain, ";");
         return 1;

@@ -455,6 +455,14 @@ static bool is_in_pattern(struct parse *parse, const struct row *head, const str
            strcspn(name.name, "pP") < name.length;
 }
 
+struct row syntax_sided(struct parse *parse, struct row head, struct span span, enum side side)
+{
+    if (head.side && head.side != side)
+        diag_error(parse->diag, CODE_ROW_SIDE, span, "this row was marked %s at its beginning", side == SIDE_RS ? "WS" : "RS");
+    head.side = side;
+    return head;
+}
+
 struct row syntax_row(struct parse *parse, struct row head, struct span head_span, struct row body, struct span body_span)
 {
     check_times(parse, body.item, true);

@@ -44,6 +44,9 @@ struct multiple syntax_parity(struct parse *, struct span, int of, int plus);
 void syntax_first_size(struct parse *, struct span);
 struct stmt *syntax_goes_on(struct parse *, struct span, struct measure);
 
+/* The head with the side that is said behind the row's text. */
+struct row syntax_sided(struct parse *, struct row head, struct span, enum side);
+
 struct row syntax_row(struct parse *, struct row head, struct span head_span, struct row body, struct span body_span);
 struct item *syntax_fabric_stitches(struct parse *, struct span, struct fabric, struct expr *count, struct until);
 struct again syntax_work_again(struct row_numbers *, struct again);

@@ -69,6 +69,14 @@ static int add_gap(struct reader *reader, unsigned end)
     return breaks;
 }
 
+/* Behind the rest of a word, the first letter of which stood for a mark: `and` before `bind off`. */
+static unsigned behind_word(const char *text, unsigned at, unsigned end)
+{
+    while (at > 0 && at < end && isalnum((unsigned char)text[at - 1]) && isalnum((unsigned char)text[at]))
+        at++;
+    return at;
+}
+
 /* The words the scanner read over in a part of a line, before a comment, without blanks and stops around them. */
 static struct span words_in(const struct reader *reader, unsigned start, unsigned end)
 {
@@ -107,7 +115,17 @@ static unsigned with_marks(const struct reader *reader, unsigned start)
         else if (!blank && first == start)
             first = at;
     }
-    return first;
+    return behind_word(text, first, start);
+}
+
+/* Where the last of some line ends is behind; what follows on its line was read over with it. */
+static unsigned line_within(const char *text, struct span span)
+{
+    unsigned at = span.end;
+
+    while (at > span.start && !strchr("\r\n", text[at - 1]))
+        at--;
+    return at > span.start ? at : span.end;
 }
 
 /* A line's end is no token here: the one behind it says that it begins something. */
@@ -121,7 +139,7 @@ static void take(void *context, int kind, struct span span)
         if (reader->list.n && !reader->first)
             reader->list.at[reader->list.n - 1].tail = words_in(reader, reader->end, span.start);
         reader->first = true;
-        reader->line = span.end;
+        reader->line = line_within(reader->source->text, span);
         return;
     }
     if (kind == TOKEN_PROSE && reader->first)
@@ -129,7 +147,7 @@ static void take(void *context, int kind, struct span span)
     breaks = add_gap(reader, span.start);
     token = (struct token){.kind = kind, .first = reader->first, .breaks = breaks, .span = span};
     if (token.first || reader->opened)
-        token.label = words_in(reader, later(reader->line, reader->end), span.start);
+        token.label = words_in(reader, behind_word(reader->source->text, later(reader->line, reader->end), span.start), span.start);
     else
         token.skipped = words_in(reader, reader->end, span.start).source != NULL;
     add(reader, token);

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "lang/prose.h"
+#include "lang/syntax.h"
+#include "lang/words.h"
 
 int scanner_bad_unit(struct scanner *scanner, struct span span, const char *text)
 {
@@ -27,6 +29,22 @@ int scanner_lettered(struct scanner *scanner, struct span span)
 {
     diag_error(scanner->parse->diag, CODE_ROW_NUMBER, span, "a row's number has no letter");
     diag_hint(scanner->parse->diag, "number all rows in the order they are worked: `Row 1`, `Row 2` ..");
+    return TOKEN_KNIT_error;
+}
+
+int scanner_needle(struct scanner *scanner, struct span span)
+{
+    diag_error(scanner->parse->diag, CODE_SYNTAX, span, "whether a needle is a row, or a part of a round, is not said");
+    diag_hint(scanner->parse->diag, "`Row 1: ...` for each needle; or `Rnd 1: ...` with the stitches of all needles");
+    return TOKEN_KNIT_error;
+}
+
+int scanner_no_stitches(struct scanner *scanner, struct span span, const char *word)
+{
+    if (!words_is(word, "needles") && !words_is(word, "pegs"))
+        return syntax_unknown_word(scanner->parse, span, "a number of sts");
+    diag_error(scanner->parse->diag, CODE_ELSEWHERE, span, "a machine knits every row from one side, and here the sides take turns");
+    diag_hint(scanner->parse->diag, "`Cast on 40 sts`; what `knit 20 rows` makes on a machine is `Work 20 rows in st st`");
     return TOKEN_KNIT_error;
 }
 

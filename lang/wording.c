@@ -8,6 +8,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/heads.h"
 #include "lang/phrases.h"
 #include "lang/printed.h"
 #include "lang/prose.h"
@@ -148,6 +149,29 @@ static const struct phrase pages[] = {
     {"=# =rows|rounds|rnds - =garter|seed|moss|stockinette", ""},
     {"^ repeats : =#", "notes:"},
 
+    /* a repeat that goes on */
+    {"continue|cont =from =the? =*", "rep"},
+    {"=,|; continue|cont =to|until|till =the? =end|last", "rep"},
+    {"=to|until =the? =end of the? needle|needles", ""},
+    {"til|'til =the? =end|last", "to"},
+    {"=to|until|till =the? bor|eor marker|m?", "end"},
+    {"=to|until|till =the? beginning|start|end of the? row|round|rnd marker|m", "end"},
+    {"=# ( # ) =times|more|x", ""},
+
+    /* what is cast on, and by whom */
+    {"^ ~ of stitches|sts to? cast|co on? :|- =#", "co"},
+    {"^ number|no|no. of stitches|sts to? cast|co? on? :|- =#", "co"},
+    {"^ stitches|sts to cast|co on? :|- =#", "co"},
+    {"=cast -? =on stitches|sts|count|number : =#", ""},
+    {"^ i|we|you|i've =cast|casted =on =#", ""},
+    {"=cast -? =on ( =# =sts|stitches )", ""},
+    {"=cast -? =on =# m|ms|masks|maske|loops", ""},
+    {"=co =# m|ms|masks|maske|loops", ""},
+    {"# edge|selvedge|selvage m|ms", "k#"},
+    {"=last =# m|ms", ""},
+    {"=last m", "1"},
+    {"=until|till =# m|ms =remain|remains|rem|left", ""},
+
     /* some stitches of a fabric */
     {"=seed|moss|garter|stockinette|stocking|st|g =st|stitch|sts? over|for|across the? next|first|last|following|center|centre? =# =sts|stitches|st", ""},
     {"work # sts|stitches in moss st|stitch?", "moss #"},
@@ -172,6 +196,7 @@ static const struct phrase pages[] = {
     /* a row's neighbour */
     {"=# =rows|rounds|rnds , bind|cast off", "; bind off"},
     {"=# =rows|rounds|rnds and|then bind|cast off", "; bind off"},
+    {"=once|twice|times|square|long|length|end|done and|then =bo", ";"},
     {"=# =rows|rounds|rnds , then bind|cast off", "; bind off"},
 
     /* line ends within */
@@ -393,71 +418,39 @@ static void put_rib(struct wording *w, size_t at, size_t length)
 
 /* ---- signs ---- */
 
-/* Whether a cast-on follows: `Cast on 20 sts`, `With No. 9 needles cast on 20 sts`. */
-static bool cast_on_follows(const char *text)
+/* Whether the line above ends within an expression. */
+static bool goes_on(const char *text, size_t at)
 {
-    static const char *const with[] = {"with", "using", "on"};
-    size_t line = words_line_length(text);
-
-    text += strspn(text, " \t");
-    for (size_t i = 0; words_find(text, with, 3) >= 0 && i < line; i++)
-        if (text[i] == ' ' && prose_begins_cast_on(text + i + 1))
-            return true;
-    return prose_begins_cast_on(text) > 0;
+    while (at > 0 && strchr(" \t\r\n", text[at - 1]))
+        at--;
+    return at > 0 && strchr(",[(=", text[at - 1]);
 }
 
-/* How long `Scarf #1:`, `1st Square:`, `STRIP A.` is at the beginning of a line, where a part of the pattern follows it; or 0. */
-static size_t title_length(const char *text)
+/* Puts blanks for what stands before a part of the pattern, at a line's beginning. */
+static void put_head(struct wording *w, size_t at, bool inside)
 {
-    static const char *const text_of[] = {"note", "notes", "tip", "tips", "gauge", "tension", "sample", "size", "sizes", "for"};
-    size_t at = 0, words = 0, digits = 0;
+    bool stop;
+    size_t length = heads_length(w->text + at, inside, &stop), digits = strspn(w->text + at, "0123456789");
 
-    for (; words < 6 && text[at] != ':'; at += strspn(text + at, " .&,-#'")) {
-        size_t n = strspn(text + at, "0123456789"), letters = words_length(text + at + n);
-
-        if (n + letters == 0 || prose_row_word(text + at + n) || words_find(text + at, text_of, sizeof text_of / sizeof *text_of) >= 0)
-            return 0;
-        at += n + letters;
-        digits = letters ? 0 : n;
-        words++;
-    }
-    if (text[at] != ':' || !words)
-        return 0;
-    at++;
-    return cast_on_follows(text + at) || (digits && words > 1 && prose_pattern_follows(text + at + strspn(text + at, " \t"))) ? at : 0;
+    if (length && stop)
+        memset(own_text(w) + at + digits, ' ', length - digits);
+    else if (length)
+        memset(own_text(w) + at, ' ', length);
+    if (length && stop)
+        own_text(w)[at + digits] = '.';
 }
 
-/* How long `Lace panel - ` is at the beginning of a line, before a row with its number; or 0. */
-static size_t label_length(const char *text)
+/* Leaves of `Cast on a multiple of 4 (I used 24)` the number that was. */
+static void put_example(struct wording *w, size_t at)
 {
-    static const char *const dashes[] = {"- ", "\xE2\x80\x93 ", "\xE2\x80\x94 "};
-    size_t at = 0;
+    size_t cast = at + one_of("cast on|cast-on|co", w->text + at), number, length = heads_example(w->text + cast, &number), digits;
 
-    for (int words = 0; words < 4 && isalpha((unsigned char)text[at]); words++) {
-        if (prose_row_word(text + at) && !prose_row_follows(text + at))
-            return 0;
-        while (isalpha((unsigned char)text[at]))
-            at++;
-        at += strspn(text + at, " ");
-    }
-    for (int i = 0; at > 0 && i < 3; i++)
-        if (strncmp(text + at, dashes[i], strlen(dashes[i])) == 0)
-            return prose_row_follows(text + at + strlen(dashes[i])) ? at + strlen(dashes[i]) : 0;
-    return 0;
-}
-
-/* How long `Row 1:` is before a cast-on; or 0. */
-static size_t first_row_length(const char *text)
-{
-    size_t at = one_of("row|rnd|round|r", text);
-
-    at += at ? strspn(text + at, " ") : 0;
-    if (!at || text[at] != '1' || isdigit((unsigned char)text[at + 1]))
-        return 0;
-    at++;
-    at += strspn(text + at, " ") + strspn(text + at + strspn(text + at, " "), ":.");
-    at += strspn(text + at, " ");
-    return one_of("cast|co", text + at) && prose_pattern_follows(text + at) ? at : 0;
+    if (cast == at || !length)
+        return;
+    number += cast;
+    digits = strspn(w->text + number, "0123456789");
+    memset(own_text(w) + cast, ' ', number - cast);
+    memset(own_text(w) + number + digits, ' ', cast + length - number - digits);
 }
 
 /* Puts brackets for the inner pair of `*k2, **p1, k1** twice, p2; rep from *`. */
@@ -579,6 +572,7 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
     struct wording w = {.arena = arena, .text = text, .size = size};
     struct phrases *phrases = phrases_read(arena, pages, PHRASES), *printed = phrases_read(arena, turns, turns_number);
+    int depth = 0;
 
     put_printed(&w);
     w.sizes = cast_on_sizes(w.text, &w.nsizes);
@@ -586,7 +580,7 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         unsigned char c = (unsigned char)w.text[at];
 
         if (c == '"') {
-            at = skip_quoted(w.text, at);
+            at = words_skip_quoted(w.text, at);
             continue;
         }
         at += stitches_length(w.text + at);
@@ -596,23 +590,21 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         if (c == '(' && rib_length(w.text + at))
             put_rib(&w, at, rib_length(w.text + at));
         if (at == 0 || strchr("\r\n", w.text[at - 1])) {
-            size_t mark = at + strspn(w.text + at, " \t-"), title = title_length(w.text + mark);
+            size_t mark = at + strspn(w.text + at, " \t-");
 
-            if (!title)
-                title = label_length(w.text + mark);
-            if (!title)
-                title = first_row_length(w.text + mark);
-            if (title)
-                memset(own_text(&w) + mark, ' ', title);
+            put_head(&w, mark, depth > 0 || goes_on(w.text, at));
             if (mark > at && w.text[mark - 1] == '-' && prose_statement_follows(w.text + mark))
                 memset(own_text(&w) + at, ' ', mark - at);
         }
         if (c == '*' && strncmp(w.text + at, "**", 2) == 0 && w.text[at + 2] != '*')
             put_inner(&w, at);
+        if (strchr("cC", c) && c && (at == 0 || !isalnum((unsigned char)w.text[at - 1])))
+            put_example(&w, at);
         if (c == '{' && braces_length(w.text + at)) {
             own_text(&w)[at + braces_length(w.text + at) - 1] = ')';
             own_text(&w)[at] = '(';
         }
+        depth += w.text[at] == '{' ? 1 : w.text[at] == '}' && depth > 0 ? -1 : 0;
         if (strchr("rR", c) && strchr("eEpP", w.text[at + 1]) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && named_sign(w.text + at))
             put_stars(&w, at);
         put_sign(&w, at);

@@ -25,3 +25,10 @@ const char *words_behind_number(const char *text)
         return words_skip_blanks(text + digits);
     return words_find(text, word, sizeof word / sizeof *word) >= 0 ? words_skip_blanks(text + words_length(text)) : NULL;
 }
+
+size_t words_skip_quoted(const char *text, size_t at)
+{
+    size_t length = strcspn(text + at + 1, "\"\r\n");
+
+    return (at > 0 && isdigit((unsigned char)text[at - 1])) || text[at + 1 + length] != '"' ? at + 1 : at + length + 2;
+}

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The tables of the language, grammar.txt and books.txt: each case to its grid or its message, and
+# The tables of the language, grammar.txt, books.txt and web.txt: each case to its grid or its message, and
 # to the same grid in the canonical layout.
 . "${WEFT_SOURCE:-.}/tests/tap.sh"
 . "$WEFT_SOURCE/tests/golden/dump.sh"
@@ -19,7 +19,7 @@ awk -v folder="$work/case/" -v wanted="$work/wanted" '
     /^@ /      { each = ""; begin(substr($0, 3)); next }
     each != "" && NF { begin(each); printf line, $0 >file; next }
     each == "" && file != "" { print >file }
-' "$WEFT_SOURCE/tests/golden/grammar.txt" "$WEFT_SOURCE/tests/golden/books.txt"
+' "$WEFT_SOURCE/tests/golden/grammar.txt" "$WEFT_SOURCE/tests/golden/books.txt" "$WEFT_SOURCE/tests/golden/web.txt"
 
 # What each comes to.
 for file in "$work"/case/*.knit; do

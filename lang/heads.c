@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A line's beginning in; out, how much of it is no part of the pattern that follows it. */
+#include "lang/heads.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "lang/prose.h"
+#include "lang/words.h"
+
+/* ---- titles ---- */
+
+/* Whether a cast-on follows: `Cast on 20 sts`, `With No. 9 needles cast on 20 sts`. */
+static bool cast_on_follows(const char *text)
+{
+    static const char *const with[] = {"with", "using", "on"};
+    size_t line = words_line_length(text);
+
+    text += strspn(text, " \t");
+    for (size_t i = 0; words_find(text, with, 3) >= 0 && i < line; i++)
+        if (text[i] == ' ' && prose_begins_cast_on(text + i + 1))
+            return true;
+    return prose_begins_cast_on(text) > 0;
+}
+
+/* How long `Scarf #1:`, `1st Square:`, `STRIP A.` is at the beginning of a line, where a part of the pattern follows it; or 0. */
+static size_t title_length(const char *text)
+{
+    static const char *const text_of[] = {"note", "notes", "tip", "tips", "gauge", "tension", "sample", "size", "sizes", "for"};
+    size_t at = 0, words = 0, digits = 0;
+
+    for (; words < 6 && text[at] != ':'; at += strspn(text + at, " .&,-#'")) {
+        size_t n = strspn(text + at, "0123456789"), letters = words_length(text + at + n);
+
+        if (n + letters == 0 || prose_row_word(text + at + n) || words_find(text + at, text_of, sizeof text_of / sizeof *text_of) >= 0)
+            return 0;
+        at += n + letters;
+        digits = letters ? 0 : n;
+        words++;
+    }
+    if (text[at] != ':' || !words)
+        return 0;
+    at++;
+    return cast_on_follows(text + at) || (digits && words > 1 && prose_pattern_follows(text + at + strspn(text + at, " \t"))) ? at : 0;
+}
+
+/* How long `Lace panel - ` is at the beginning of a line, before a row with its number; or 0. */
+static size_t label_length(const char *text)
+{
+    static const char *const dashes[] = {"- ", "\xE2\x80\x93 ", "\xE2\x80\x94 "};
+    size_t at = 0;
+
+    for (int words = 0; words < 4 && isalpha((unsigned char)text[at]); words++) {
+        if (prose_row_word(text + at) && !prose_row_follows(text + at))
+            return 0;
+        while (isalpha((unsigned char)text[at]))
+            at++;
+        at += strspn(text + at, " ");
+    }
+    for (int i = 0; at > 0 && i < 3; i++)
+        if (strncmp(text + at, dashes[i], strlen(dashes[i])) == 0)
+            return prose_row_follows(text + at + strlen(dashes[i])) ? at + strlen(dashes[i]) : 0;
+    return 0;
+}
+
+/* How long `Row 1:` is before a cast-on; or 0. */
+static size_t first_row_length(const char *text)
+{
+    size_t at = words_are_rows(text) ? words_length(text) : tolower((unsigned char)*text) == 'r';
+
+    at += at ? strspn(text + at, " ") : 0;
+    if (!at || text[at] != '1' || isdigit((unsigned char)text[at + 1]))
+        return 0;
+    at++;
+    at += strspn(text + at, " ") + strspn(text + at + strspn(text + at, " "), ":.");
+    at += strspn(text + at, " ");
+    return (words_is(text + at, "cast") || words_is(text + at, "co")) && prose_pattern_follows(text + at) ? at : 0;
+}
+
+/* Words of headings behind which no work is meant, though they name some. */
+static bool is_aside(const char *text, size_t n)
+{
+    static const char *const words[] = {"gauge", "tension", "swatch", "note", "notes", "tip", "tips", "finishing", "abbreviations", "example", "option", "optional",
+                                        "variation", "sizing", "instead"};
+
+    for (size_t i = 0; i < n; i += words_length(text + i) + 1)
+        if (words_find(text + i, words, sizeof words / sizeof *words) >= 0)
+            return true;
+    return false;
+}
+
+/* `Knit 4 rows`, `repeat rows 1-4`, a row with its number, a cast-on. */
+static bool is_work(const char *text)
+{
+    static const char *const work[] = {"knit", "purl", "k", "p", "work"}, *const again[] = {"rep", "repeat"};
+    const char *behind = words_skip_blanks(text + words_length(text));
+
+    return prose_pattern_follows(text) || (words_find(text, work, 5) >= 0 && prose_rows_follow(behind)) ||
+           (words_find(text, again, 2) >= 0 && prose_repeats_rows(behind));
+}
+
+/* How long `Final border: ` is before rows to work; or 0. */
+static size_t part_length(const char *text)
+{
+    bool bold = strncmp(text, "**", 2) == 0;
+    size_t at = bold ? 2 : 0, words = 0;
+
+    for (; isalpha((unsigned char)text[at]); at += strspn(text + at, " &'-"), words++) {
+        if (prose_row_word(text + at))
+            return 0;
+        at += words_length(text + at);
+    }
+    if (words < 1 || words > 5 || !strchr(":*", text[at]) || !text[at] || is_aside(text, at))
+        return 0;
+    at += strspn(text + at, bold ? ":* \t" : ": \t");
+    return is_work(text + at) ? at : 0;
+}
+
+/* ---- pages and films ---- */
+
+/* How long `12 comments:` is, `3 replies`: what pages count; or 0. */
+static size_t counter_length(const char *text)
+{
+    static const char *const words[] = {"comment", "comments", "like", "likes", "reply", "replies", "view", "views", "share", "shares", "upvotes", "points", "hours", "days",
+                                        "months", "years", "min", "minutes", "people", "responses", "thoughts"};
+    const char *word = words_skip_blanks(text + strspn(text, "0123456789,.kK"));
+
+    return words_find(word, words, sizeof words / sizeof *words) >= 0 ? words_line_length(text) : 0;
+}
+
+/* How long a line is that is an address of the web, or nothing but marks; or 0. */
+static size_t furniture_length(const char *text)
+{
+    size_t line = words_line_length(text), word = strcspn(text, " \t\r\n"), marks = 0;
+
+    if (strncasecmp(text, "www.", 4) == 0 || strncasecmp(text, "http", 4) == 0 || (word == line && memchr(text, '@', line) && isalnum((unsigned char)*text)))
+        return word == line ? line : 0;
+    for (size_t i = 0; i < line; i++) {
+        if (!strchr("*=_~-. \t", text[i]))
+            return 0;
+        marks += text[i] != ' ';
+    }
+    return marks > 2 ? line : 0;
+}
+
+/* How long `3:10` or `1:02:45` is before a row with its stitches or a cast-on; before other words the line is text. */
+static size_t time_length(const char *text)
+{
+    size_t at = strspn(text, "0123456789"), places = 0, n;
+
+    for (n = at; n && n <= 2 && text[at] == ':' && strspn(text + at + 1, "0123456789") == 2; places++)
+        at += 3;
+    if (!places || !strchr(" \t-", text[at]) || !text[at])
+        return 0;
+    at += strspn(text + at, " \t-");
+    return prose_pattern_follows(text + at) ? at : words_length(text + at) ? words_line_length(text) : 0;
+}
+
+/* How long a line is that is a number alone: of a page, or of a table's cell. Where the next line
+ * holds stitches it is a row's, which goes on there: up to that line, with a stop. */
+static size_t number_length(const char *text, bool *stop)
+{
+    size_t digits = strspn(text, "0123456789"), end = digits + strspn(text + digits, " \t"), next;
+
+    if (!digits || digits > 4 || !text[end] || !strchr("\r\n", text[end]))
+        return 0;
+    next = end + strspn(text + end, " \t\r\n");
+    if (text[next] && strchr("])},", text[next]))
+        return 0;
+    *stop = prose_stitches_follow(text + next) && !words_are_rows(words_skip_blanks(text + next + words_length(text + next)));
+    return *stop ? next : end;
+}
+
+/* ---- tables ---- */
+
+/* Whether a cell holds a row's number or side. */
+static bool names_row(const char *cell, size_t n)
+{
+    static const char *const sides[] = {"rs", "ws", "right", "wrong", "next", "all", "every"};
+
+    for (size_t i = 0; i < n; i++)
+        if (isdigit((unsigned char)cell[i]) || (words_length(cell + i) && (i == 0 || !isalpha((unsigned char)cell[i - 1])) && words_find(cell + i, sides, sizeof sides / sizeof *sides) >= 0))
+            return true;
+    return false;
+}
+
+/* Of `CO | Cast on 12 sts |` the first cell goes, of `| K | Knit |` and of a table's head all. */
+static size_t table_length(const char *text)
+{
+    size_t first = strspn(text, "| \t"), bar = first + strcspn(text + first, "|\r\n"), next, line = words_line_length(text);
+
+    bool numbers = strcspn(text, "0123456789") < line;
+
+    next = bar + strspn(text + bar, "| \t");
+    if (text[bar] != '|' || bar == first || !isalpha((unsigned char)text[first]) ||
+        (names_row(text + first, bar - first) && (numbers || prose_stitches_follow(text + next))))
+        return 0;
+    if (prose_pattern_follows(text + next) || (prose_rows_follow(words_skip_blanks(text + next + words_length(text + next)))))
+        return next;
+    return memchr(text, '*', line) || (prose_stitches_follow(text + next) && numbers) ? 0 : line;
+}
+
+size_t heads_length(const char *text, bool inside, bool *stop)
+{
+    size_t length;
+
+    *stop = false;
+    if (!inside && isdigit((unsigned char)*text) &&
+        ((length = time_length(text)) || (length = counter_length(text)) || (length = number_length(text, stop))))
+        return length;
+    if (!inside && (length = furniture_length(text)) > 0)
+        return length;
+    if (!inside && memchr(text, '|', words_line_length(text)))
+        return table_length(text);
+    if ((length = title_length(text)) || (length = label_length(text)))
+        return length;
+    return (length = part_length(text)) ? length : first_row_length(text);
+}
+
+size_t heads_example(const char *text, size_t *number)
+{
+    static const char *const words[] = {"i", "we", "sample", "shown", "example", "mine", "used", "cast", "co", "photo", "model", "pictured", "ex", "swatch"},
+                             *const multiple[] = {"multiple", "even", "odd", "any", "number"};
+    size_t open = strcspn(text, "(.\r\n"), at = open + 1, n;
+    bool of = false, named = false;
+
+    for (size_t i = 0; i < open; i += words_length(text + i) + 1)
+        of |= words_find(text + i, multiple, 5) >= 0;
+    if (text[open] != '(' || !of)
+        return 0;
+    for (*number = 0; text[at] && !strchr(")\r\n", text[at]); at += n ? n : 1) {
+        n = words_length(text + at);
+        named |= n && words_find(text + at, words, sizeof words / sizeof *words) >= 0;
+        if (!n && isdigit((unsigned char)text[at])) {
+            if (*number)
+                return 0;
+            *number = at;
+            n = strspn(text + at, "0123456789");
+        }
+    }
+    return text[at] == ')' && *number && named ? at + 1 : 0;
+}

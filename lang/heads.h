@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * What stands at the beginning of a line before a part of a pattern, or fills a line without being one. */
+#ifndef LANG_HEADS_H
+#define LANG_HEADS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* How many bytes at the beginning of a line go: `Scarf #1:`, `Lace panel -`, `Row 1:` before a cast-on,
+ * and, where not `inside` braces or an expression, the place `3:10` in a film, a table's cell without a row, a number
+ * alone. 0: none of these. `stop`: the last of them is to be a full stop, as a row's number stands before it. */
+size_t heads_length(const char *text, bool inside, bool *stop);
+
+/* How long ` a multiple of 4 (I used 24)` behind `Cast on` is, and where the number stands; or 0. */
+size_t heads_example(const char *text, size_t *number);
+
+#endif
