@@ -44,7 +44,7 @@ static size_t longest(const char *text, const char *const *phrase, int n)
     size_t most = 0;
 
     for (int i = 0; i < n; i++) {
-        size_t length = phrase_length(text, phrase[i]);
+        size_t length = tolower((unsigned char)*text) == *phrase[i] ? phrase_length(text, phrase[i]) : 0;
 
         most = length > most ? length : most;
     }

@@ -6,6 +6,8 @@
 
 #include <stdlib.h>
 
+enum { REGION = 400 };          /* bytes that a gauge is looked for behind its word */
+
 static const double SHORTEST = 10;      /* mm; less is a needle */
 
 /* Longest first where one begins another. */
@@ -40,7 +42,7 @@ static const char *unit_at(const char *text, double *millimetres)
 static const char *fraction_at(const char *text, double *value)
 {
     for (size_t i = 0; i < sizeof fractions / sizeof *fractions; i++)
-        if (strncmp(text, fractions[i].sign, strlen(fractions[i].sign)) == 0) {
+        if (*text == *fractions[i].sign && strncmp(text, fractions[i].sign, strlen(fractions[i].sign)) == 0) {
             *value += fractions[i].value;
             return text + strlen(fractions[i].sign);
         }
@@ -126,41 +128,41 @@ static const char *line_end(const char *text)
 }
 
 /* The length that the rows named at `rows` make: behind them on their line, or before. */
-static double length_of_rows(const char *line, const char *rows)
+static double length_of_rows(const char *line, const char *rows, const char *end)
 {
-    const char *end = line_end(rows);
-    double length;
+    const char *stop = line_end(rows) < end ? line_end(rows) : end;
+    double length = find_length(rows, stop, false);
 
-    if (words_line_has(rows, "until"))
-        return 0;
-    length = find_length(rows, end, false);
     if (length == 0)
-        length = one_unit(rows, end);
+        length = one_unit(rows, stop);
     return length > 0 ? length : find_length(line, rows, true);
 }
 
 /* Where an empty line, or the text, ends what stands together. */
 static const char *paragraph_end(const char *text)
 {
-    for (const char *end = line_end(text);; end = line_end(text)) {
-        text = end + strspn(end, "\r") + (end[strspn(end, "\r")] == '\n');
-        if (text == end || strchr("\r\n", *words_skip_blanks(text)))
+    const char *most = text + strnlen(text, REGION), *next;
+
+    for (const char *end = line_end(text); end < most; end = line_end(next)) {
+        next = end + (end[0] == '\r' && end[1] == '\n') + 1;
+        if (strchr("\r\n", *words_skip_blanks(next)))
             return end;
     }
+    return most;
 }
 
 /* In what stands behind "gauge", on its lines. */
-static double gauge_within(const char *text)
+static double gauge_within(const char *text, const char *end)
 {
-    const char *line = text + strspn(text, " \t:*_.\r\n"), *end = paragraph_end(line);
+    const char *line = text;
     double rows, length;
 
-    for (const char *at = line; at < end; at++) {
+    for (const char *at = text; at < end; at++) {
         const char *behind = begins_number(at, text) ? number_at(at, &rows) : NULL;
 
         if (strchr("\r\n", *at))
             line = at + 1;
-        length = behind && words_are_rows(words_skip_blanks(behind)) ? length_of_rows(line, behind) : 0;
+        length = behind && words_are_rows(words_skip_blanks(behind)) ? length_of_rows(line, behind, end) : 0;
         if (length > 0)
             return rows / length;
     }
@@ -172,9 +174,17 @@ double lengths_gauge(const char *text)
     static const char *const word[] = {"gauge", "tension"};
     double gauge = 0;
 
-    for (; *text && gauge == 0; text += words_length(text) ? words_length(text) : 1)
-        if (words_find(text, word, sizeof word / sizeof *word) >= 0)
-            gauge = gauge_within(text + words_length(text));
+    while (*text && gauge == 0) {
+        size_t length = words_length(text);
+        bool here = words_find(text, word, sizeof word / sizeof *word) >= 0;
+
+        text += length ? length : 1;
+        if (here) {
+            text += strspn(text, " \t:*_.\r\n");
+            gauge = gauge_within(text, paragraph_end(text));
+            text = paragraph_end(text);
+        }
+    }
     return gauge;
 }
 

@@ -405,9 +405,9 @@ bool prose_sizes(struct scanner *scanner, struct span line)
     const char *text = scanner->parse->text;
 
     for (unsigned at = line.start; at < line.end; at++) {
-        size_t close = strcspn(text + at, ")]\r\n");
+        size_t close = strchr("([", text[at]) ? 1 + strcspn(text + at + 1, "([)]\r\n") : 0;
 
-        if (strchr("([", text[at]) && strchr(")]", text[at + close]) && text[at + close] &&
+        if (close && text[at + close] && strchr(")]", text[at + close]) &&
             words_find(words_skip_blanks(text + at + close + 1), word, sizeof word / sizeof *word) >= 0 &&
             scanner_sizes(scanner, (struct span){line.source, at, at + 1}))
             return true;
