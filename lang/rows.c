@@ -3,7 +3,6 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "lang/limits.h"
 #include "lang/row_list.h"
 
 struct row_list *rows_new(struct arena *arena, struct diag *diag)
@@ -145,12 +144,6 @@ static void add_at(struct row_list *list, struct row_text *text, int label)
             diag_note(list->diag, other->head, "the first time");
         if (other && label == 1)
             diag_hint(list->diag, "a second part stands apart, by an empty line or a heading; else `Row %d`", last_given(list) + 1);
-        row_list_fail(list);
-        return;
-    }
-    if (at >= LIMIT_WRITTEN_ROWS) {
-        diag_error(list->diag, CODE_LIMIT_ROWS, text->head, "row %d: a pattern may have %d written rows",
-                   label, LIMIT_WRITTEN_ROWS);
         row_list_fail(list);
         return;
     }

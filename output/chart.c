@@ -41,26 +41,30 @@ static int symbol_width(const struct scene *scene)
     return width;
 }
 
-static void print_row(struct file *file, const struct scene *scene, int row, int width)
+/* Symbols of a width, with so many blanks before each; one at least before the first. */
+static void print_row(struct file *file, const struct scene *scene, int row, int width, int blanks)
 {
     for (int i = 0; i < scene->grid->columns; i++) {
         const char *symbol = scene->stitch[grid_at(scene->grid, i, row)].symbol;
-        file_print(file, " %*s", width - text_width(symbol), "");
+        file_print(file, "%*s", (i > 0 ? blanks : 1) + width - text_width(symbol), "");
         file_write(file, symbol, strlen(symbol));
     }
 }
 
+enum { TERMINAL = 80 };     /* columns: a chart that would be wider has no blanks between letters */
+
 void chart_text(struct file *file, const struct scene *scene)
 {
     char last[32];
-    int margin = scene->round ? 0 : snprintf(last, sizeof last, "%d", scene->grid->rows), width = symbol_width(scene);
+    int digits = snprintf(last, sizeof last, "%d", scene->grid->rows), margin = scene->round ? 0 : digits;
+    int width = symbol_width(scene), whole = margin + scene->grid->columns * (width + 1) + 2 + digits;
     for (int row = scene->grid->rows; row >= 1; row--) {
         bool right_side = scene->round || row % 2 == 1;
         if (right_side)
             file_print(file, "%*s", margin, "");
         else
             file_print(file, "%*d", margin, row);
-        print_row(file, scene, row - 1, width);
+        print_row(file, scene, row - 1, width, width == 1 && whole > TERMINAL ? 0 : 1);
         if (right_side)
             file_print(file, "  %d", row);
         file_print(file, "\n");

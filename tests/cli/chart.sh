@@ -60,6 +60,19 @@ check 'have their numbers at the right' diff - "$work/out" <<'TEXT'
  p k k k  1
 TEXT
 
+# Blanks between letters as long as a terminal's 80 columns hold the numbers, too.
+for width in 38 39; do
+    echo "swatch each (x, y) in $width by 2 : x == 0 || y == 1 && x == 1 ? P : K" >"$work/wide.knit"
+    exits 0 "$width stitches" "$WEFT" chart "$work/wide.knit"
+    cp "$work/out" "$work/out.$width"
+done
+check 'are 80 columns' test "$(awk 'length($0) > n { n = length($0) } END { print n }' "$work/out.38")" = 80
+out '39 have no blanks' '^2 ppk\{37\}$'
+out 'and their numbers as before' '^  pk\{38\}  1$'
+printf 'stitch T { symbol = "tt" }\nswatch tile(T, 30, 1)\n' >"$work/wide.knit"
+exits 0 'symbols of several characters' "$WEFT" chart "$work/wide.knit"
+out 'keep their blanks' '^  tt tt tt '
+
 exits 2 'a kind that no chart is of' "$WEFT" chart "$work/flag.knit" -o "report:$work/x.svg"
 err 'is named' "not as 'report:"
 
