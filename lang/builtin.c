@@ -97,33 +97,37 @@ static struct value run_number(struct call *call)
 }
 
 /* Of a plain number only: powers and angles. */
+static bool plain(struct call *call, int i, double *to)
+{
+    if (!number(call, i, to))
+        return false;
+    if (call->value[i].dimension)
+        diag_error(call->eval->diag, CODE_UNIT, call->at[i], "%s of a length", call->function->name);
+    return !call->value[i].dimension;
+}
+
 static struct value run_plain(struct call *call)
 {
     double x;
 
-    if (!number(call, 0, &x))
-        return bad;
-    if (call->value[0].dimension) {
-        diag_error(call->eval->diag, CODE_UNIT, call->at[0], "%s of a length", call->function->name);
-        return bad;
-    }
-    return if_finite(call, call->function->number(x), 0);
+    return plain(call, 0, &x) ? if_finite(call, call->function->number(x), 0) : bad;
 }
 
 static struct value extreme(struct call *call, double sign)
 {
     double best = 0, x;
-    int at = 0;
 
     for (int i = 0; i < call->n; i++) {
         if (!number(call, i, &x))
             return bad;
-        if (i == 0 || sign * x > sign * best) {
-            best = x;
-            at = i;
+        if (call->value[i].dimension != call->value[0].dimension) {
+            diag_error(call->eval->diag, CODE_UNIT, call->at[i], "%s of a length and something that is none", call->function->name);
+            return bad;
         }
+        if (i == 0 || sign * x > sign * best)
+            best = x;
     }
-    return value_number(best, call->value[at].dimension);
+    return value_number(best, call->value[0].dimension);
 }
 
 static struct value run_min(struct call *call)
@@ -140,7 +144,7 @@ static struct value run_pow(struct call *call)
 {
     double x, y;
 
-    return number(call, 0, &x) && number(call, 1, &y) ? if_finite(call, pow(x, y), 0) : bad;
+    return plain(call, 0, &x) && plain(call, 1, &y) ? if_finite(call, pow(x, y), 0) : bad;
 }
 
 static struct value run_gcd(struct call *call)
@@ -247,7 +251,8 @@ static void misfit(struct call *call, long long width, long long multiple, long 
     struct diag *diag = call->eval->diag;
     long long n = (width - plus) / multiple, below;
 
-    diag_error(diag, CODE_FIT, call->at[1], "%lld is not a multiple of %lld + %lld", width, multiple, plus);
+    diag_error(diag, CODE_FIT, call->at[1], "%lld is not a multiple of %s", width,
+               names_multiple(call->eval->arena, multiple, plus));
     if (width - plus < multiple)
         n = 0;
     below = multiple * n + plus;

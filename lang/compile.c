@@ -182,8 +182,8 @@ static bool check_multiple(struct compilation *c, const struct body *body)
         return false;
     if (!body->cast_on || (body->cast_on >= of + plus && (body->cast_on - plus) % of == 0))
         return true;
-    diag_error(c->eval.diag, CODE_FIT, body->cast_on_span, "%lld is not a multiple of %lld + %lld", body->cast_on, of,
-               plus);
+    diag_error(c->eval.diag, CODE_FIT, body->cast_on_span, "%lld is not a multiple of %s", body->cast_on,
+               names_multiple(c->eval.arena, of, plus));
     diag_note(c->eval.diag, body->multiple.span, "which the pattern asks for");
     return false;
 }
@@ -198,7 +198,7 @@ static long long some_repeats(struct diag *diag, struct span span, long long of,
     if (width < least)
         width += (least - width + of - 1) / of * of;
     diag_warning(diag, CODE_ASSUMED_WIDTH, span,
-                 "how many stitches are cast on is not said: %lld, a multiple of %lld + %lld", width, of, plus);
+                 "how many stitches are cast on is not said: %lld, a multiple of %s", width, names_multiple(diag->arena, of, plus));
     diag_hint(diag, "`Cast on %lld sts`, or another multiple", width + of);
     return width;
 }
@@ -233,8 +233,8 @@ static long long open_width(struct compilation *c, const struct body *body)
         return some_repeats(diag, body->first, fit.multiple, fit.plus, fit.least);
     diag_error(diag, CODE_ROW_WIDTH, body->first, "how many stitches these rows are worked over is not said");
     if (fit.multiple > 1)
-        diag_hint(diag, "begin with `Cast on %lld sts`, or another multiple of %lld + %lld",
-                  4 * fit.multiple + fit.plus, fit.multiple, fit.plus);
+        diag_hint(diag, "begin with `Cast on %lld sts`, or another multiple of %s",
+                  4 * fit.multiple + fit.plus, names_multiple(diag->arena, fit.multiple, fit.plus));
     else
         diag_hint(diag, "begin with `Cast on 20 sts`");
     return 0;

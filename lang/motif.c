@@ -187,8 +187,8 @@ static bool prepare_grid(struct eval *eval, struct motif *m, int box_width)
     if (!explicit_multiple(eval, m))
         return false;
     if (columns < m->multiple + m->plus || (columns - m->plus) % m->multiple) {
-        diag_error(eval->diag, CODE_MULTIPLE, m->span, "'%s' is %d stitches wide, no multiple of %lld + %lld",
-                   m->name, columns, m->multiple, m->plus);
+        diag_error(eval->diag, CODE_MULTIPLE, m->span, "'%s' is %d stitches wide, no multiple of %s",
+                   m->name, columns, names_multiple(eval->arena, m->multiple, m->plus));
         return false;
     }
     if (box_width && box_width != m->multiple) {

@@ -132,6 +132,11 @@ const char *names_count(long long n, const char *one, const char *many)
     return n == 1 ? one : many;
 }
 
+const char *names_multiple(struct arena *arena, long long of, long long plus)
+{
+    return plus ? arena_printf(arena, "%lld + %lld", of, plus) : arena_printf(arena, "%lld", of);
+}
+
 const char *nearest_in(const char *word, const char *const *candidate, int n)
 {
     struct nearest nearest = nearest_to(word);

@@ -22,6 +22,9 @@ const char *names_intern(struct names *, const char *text, size_t length);
 /* Of a noun the form for so many: one row, 2 rows. */
 const char *names_count(long long n, const char *one, const char *many);
 
+/* Widths as patterns have them: "8 + 5", or "4" where nothing is added. */
+const char *names_multiple(struct arena *, long long of, long long plus);
+
 /* A search for the candidate nearest to a word, upper and lower case alike:
  * offer each candidate, then read `best`, NULL where none is near. */
 struct nearest {

@@ -2,6 +2,7 @@
  * A row that does not come out on a width in, sentences with its arithmetic out. */
 #include "lang/row_misfit.h"
 
+#include "lang/names.h"
 #include "lang/row_fit.h"
 
 enum { TERMS = 12 };    /* of a sum are shown */
@@ -20,7 +21,7 @@ static const char *fit_text(struct arena *arena, const struct fit *fit)
         return stitches(arena, fit->plus);
     if (fit->multiple == 1)
         return arena_printf(arena, "%s or more", stitches(arena, fit->least));
-    return arena_printf(arena, "a multiple of %lld + %lld", fit->multiple, fit->plus % fit->multiple);
+    return arena_printf(arena, "a multiple of %s", names_multiple(arena, fit->multiple, fit->plus % fit->multiple));
 }
 
 const char *misfit_name(struct arena *arena, const struct row_text *row, const char *unnumbered)

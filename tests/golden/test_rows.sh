@@ -139,7 +139,7 @@ size 'Multiple of 2 + 1|Row 1: k1, p1, k1' '3 x 1'
 # What does not come out.
 wrong E0303 'Cast on 24|Row 1: k23' 'row 1 works 23 stitches, but 24 are cast on'
 wrong E0303 'Row 1: k24|Row 2: p23' 'row 2 works 23 stitches, but row 1 left 24'
-wrong E0304 'Cast on 10|Row 1: *k2, p2; rep from * to end' 'a multiple of 4 + 0'
+wrong E0304 'Cast on 10|Row 1: *k2, p2; rep from * to end' 'fits a multiple of 4, but'
 wrong E0304 'Cast on 10|Row 1: *k2, p2; rep from * to last st, k1' 'a multiple of 4 + 1'
 wrong E0303 'Cast on 10|Row 1: k to last 2 sts, p1' 'leaves stitches unworked: 1 more'
 wrong E0303 'Cast on 10|Row 1: k to last 2 sts, p3' 'works 1 stitch more'
