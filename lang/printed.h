@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-enum { PRINTED_PLAIN = 24 };     /* bytes of the longest plain text, with its end */
+enum { PRINTED_PLAIN = 32 };     /* bytes of the longest plain text, with its end */
 
 /* How many bytes from `at` on go for blanks: `_1st row._` without its underscores, `=Materials.= Wool` without
  * its signs, `[Illustration: ..]`. 0: none of these. */

@@ -296,9 +296,39 @@ bool prose_is_title(const char *text)
 
 /* ---- in the scanner ---- */
 
+/* Where one of the words stands on the line; or 0. */
+static size_t find_word(const char *text, const char *const *word, int n)
+{
+    for (size_t at = 1; at < words_line_length(text); at++)
+        if (!isalnum((unsigned char)text[at - 1]) && words_find(text + at, word, n) >= 0)
+            return at;
+    return words_find(text, word, n) >= 0 ? 1 : 0;
+}
+
+/* `Slip the first stitch of every row`, `Always knit the first and last stitch of each row`: a note that changes rows. */
+static bool is_of_every_row(struct diag *diag, const char *text, struct span line)
+{
+    static const char *const every[] = {"every", "each", "all"}, *const first[] = {"first", "1st", "edge", "selvedge", "selvage"},
+                             *const slip[] = {"slip", "sl", "slipped", "slips", "slipping"}, *const work[] = {"knit", "k", "purl", "p", "work", "knitted"};
+    size_t at = find_word(text, every, 3);
+
+    if (!at || !words_are_rows(words_skip_blanks(text + at + words_length(text + at))) || !find_word(text, first, 5))
+        return false;
+    if (find_word(text, slip, 5))
+        return refused_word(diag, "slip", line);
+    if (!find_word(text, work, 6))
+        return false;
+    diag_warning(diag, CODE_PROSE, line, "this note is read as text: rows are worked as they are written");
+    diag_hint(diag, "where the rows do not have these stitches, write them there");
+    return true;
+}
+
 void prose_warn_hidden(struct scanner *scanner, struct span line)
 {
     const char *text = scanner->parse->text + line.start;
+
+    if (is_of_every_row(scanner->parse->diag, text, line))
+        return;
 
     for (unsigned i = 1; i < line.end - line.start; i++) {
         struct span span = {line.source, line.start + i, line.end};
@@ -420,19 +450,20 @@ bool scanner_prose(struct scanner *scanner)
     struct parse *parse = scanner->parse;
     const char *text = parse->text + scanner->at, *end;
     struct span span = {parse->source, scanner->at, scanner->at + (unsigned)prose_length(scanner, text)};
+    bool again = scanner->at < scanner->prose_end;
     int lines;
 
-    if (scanner->at < scanner->prose_end)
-        return prose_reads(text, false);
-    if (scanner->section && prose_reads(text, true) && !syntax_is_row(text)) {
+    if (again && !prose_reads(text, false))
+        return false;
+    if (!again && scanner->section && prose_reads(text, true) && !syntax_is_row(text)) {
         prose_warn_hidden(scanner, span);
         return true;
     }
-    if (!scanner->begun && scanner->titles < TITLE_LINES && prose_is_title(text)) {
+    if (!again && !scanner->begun && scanner->titles < TITLE_LINES && prose_is_title(text)) {
         scanner->titles++;
         return true;
     }
-    if (!prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text))
+    if (!again && !prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text))
         return false;
 
     if (scanner->begun && prose_sizes(scanner, span))
@@ -449,6 +480,8 @@ bool scanner_prose(struct scanner *scanner)
     }
 
     /* Nothing says what this is: it is named, once for lines that follow each other. */
+    if (again)
+        return true;
     lines = block_length(text, prose_length(scanner, text), &end);
     scanner->prose_end = (unsigned)(end - parse->text);
     if (lines == 1)

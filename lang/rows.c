@@ -122,7 +122,7 @@ static void count_on(struct row_list *list, int label)
         list->first_label = label;
     list->label = row_list_grown(list, list->label, &list->label_room, label);
     for (int between = list->last_label + 1; list->last_label && between < label; between++)
-        list->label[between] = list->order[before + between - 1];
+        list->label[between] = list->order[before + between - list->first_label];
     list->first = label;
 }
 
@@ -130,7 +130,7 @@ static void add_at(struct row_list *list, struct row_text *text, int label)
 {
     int at;
 
-    if (!list->npending && label > list->first && label == list->norder - rows_before_first(list) + 1)
+    if (!list->npending && label > list->first && label == list->norder - rows_before_first(list) + (list->last_label ? list->first_label : 1))
         count_on(list, label);
     if (label == 1 && rows_find(list, 1))
         begin_again(list, text);

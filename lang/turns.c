@@ -12,12 +12,17 @@ const struct phrase turns[] = {
     {"^ # plain =row|rows|round|rounds|rnd|rnds|rd|rds", "k #"},
     {"^ # purl =row|rows|round|rounds|rnd|rnds|rd|rds", "p #"},
     {"=knit|k plain? for =# =row|rows|round|rounds|rnd|rnds|rd|rds", ""},
+    {"knit|k plain =until|till", "k all rows"},
     {"=knit|k plain", ""},
     {"in plain - knitting|knit", "in garter"},
     {"in plain knitting|knit", "in garter"},
     {"plain =#", "k"},
     {"=# plain", "k"},
     {"seam =# =,|;|.|sts|stitches", "p"},
+
+    {"=knit|purl =every|each|all =row|rows|round|rounds plain", ""},
+    {",? and? then? finish|end with # plain =row|rows|round|rounds|rnd|rnds", ". knit #"},
+    {"set -? up rows|row|rounds|rnds|round : =knit|k|k.|purl|p|p.|work =# =row|rows|round|rounds|rnd|rnds", ""},
 
     /* cast on */
     {"^ set|put up|on =# =sts|stitches", "co"},
@@ -26,6 +31,9 @@ const struct phrase turns[] = {
     {"stitches|sts in multiples of", "multiple of"},
     {",? and # over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
     {",? and # sts|stitches over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
+    {"=sts . =,", ""},
+    {":|,|;|- # on|to each|a|every needle|pin|wire", ""},
+    {"any number of sts|stitches that may|will|can|must be? divided|divide by", "multiple of"},
     {"=cast =on # sts|stitches for each|every pattern|patt|repeat", "multiple of #"},
     {"=cast =on =# =sts|stitches|sts. , # patterns|patts|repeats|reps", ""},
 
@@ -39,6 +47,7 @@ const struct phrase turns[] = {
     {"=row|rows|round|rounds|rnd|rnds the same", ""},
     {"=row|rows|round|rounds|rnd|rnds in the|this same? way|manner", ""},
     {"=row|rows|round|rounds|rnd|rnds thus|so|likewise", ""},
+    {"continue|cont|cont.|work|proceed in|on this|these|the|same? same? way|manner|fashion|lines", "work in patt"},
     {"work|continue|cont|repeat|rep until|till # complete? patterns|patts|pattern|repeats are|have|has been? completed|worked|done|complete|made", "rep them # times in all"},
 
     /* within a row */
@@ -53,6 +62,16 @@ const struct phrase turns[] = {
     {"purl|p over knit|k|knits and|, k|knit over purl|p|purls", "k p st p k st"},
     {"as the sts|stitches face|appear|come|present you|themselves?", "k k st p p st"},
     {"as facing", "k ks p ps"},
+
+    /* refused by their names */
+    {"w|wl|wool .? fwd|fd|forward .?", "wfwd"},
+    {"y|yn|yarn .? fwd|fd|f .?", "yfwd"},
+    {"w|y . r . n .?", "yrn"},
+    {"p . s . s . o .?", "psso"},
+    {"t . b . l .?", "tbl"},
+    {"m . #", "m#"},
+    {"c . # .? f|b|l|r .?", "c#f"},
+    {"thread|cotton|silk|worsted|wool forward|fwd|over", "yfwd"},
 
     /* fabrics */
     {"st. - st.|st", "st st"},

@@ -96,6 +96,12 @@ static const char *meant_by(struct eval *eval, const struct module *module, stru
     return *of_rows ? meant : stitch.best;
 }
 
+/* `kl`, `PI`: a letter for the figure. */
+static bool is_scanned(const char *word)
+{
+    return strchr("kKpP", word[0]) && word[0] && strchr("lI|", word[1]) && word[1] && !word[2];
+}
+
 static void unknown(struct eval *eval, const struct module *module, const char *word, unsigned start)
 {
     struct span span = {module->source, start, start + (unsigned)strlen(word)};
@@ -109,6 +115,11 @@ static void unknown(struct eval *eval, const struct module *module, const char *
 
     /* What else stands in a row that cannot be knitted goes with it. */
     meant = meant_by(eval, module, &span, word, &of_rows);
+    if (!told && is_scanned(word)) {
+        diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
+        diag_hint(eval->diag, "in a scanned text the letter l may stand for 1: '%c1'", *word);
+        return;
+    }
     if (told && (!meant || typos_is_word(word)))
         return;
     diag_error(eval->diag, CODE_STITCH, span, "'%.*s' is no stitch", (int)(span.end - span.start), span.source->text + span.start);

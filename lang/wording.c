@@ -212,7 +212,7 @@ static const struct phrase pages[] = {
     {"=cast|bind =on|off", ""},
     {"=same|work =as =row", ""},
 };
-enum { PHRASES = sizeof pages / sizeof *pages, WORDING = 32 };
+enum { PHRASES = sizeof pages / sizeof *pages, WORDING = 32, FEW = 16 };
 
 /* The length of the first of the words a|b|c that stands in the text; 0: none does. */
 static size_t one_of(const char *words, const char *text)
@@ -384,18 +384,36 @@ static void put_blanks(struct wording *w, size_t at, size_t length, const char *
     memcpy(text, plain, strlen(plain));
 }
 
+/* How long `k2, p3, ` is before a further stitch with its figure: no sign and no phrase begins in it. */
+static size_t stitches_length(const char *text)
+{
+    size_t length = 0, at = 0;
+
+    for (size_t n; (n = words_stitch_length(text + at)) > 0; at += words_gap_length(text + at)) {
+        length = at;
+        at += n;
+    }
+    return length;
+}
+
 /* Puts a book's marks, and then its words, plainly. */
 static void put_printed(struct wording *w)
 {
     char plain[PRINTED_PLAIN];
     const char *marked = w->text;
 
-    for (size_t at = 0; at < w->size; at = marked[at] == '"' ? skip_quoted(marked, at) : at + 1)
+    for (size_t at = strcspn(marked, "_=[\""), next; at < w->size; at = next + strcspn(marked + next, "_=[\"")) {
+        next = marked[at] == '"' ? skip_quoted(marked, at) : at + 1;
         if (printed_mark(marked, at))
             put_blanks(w, at, printed_mark(marked, at), "");
-    for (size_t at = 0, length; at < w->size; at = w->text[at] == '"' ? skip_quoted(w->text, at) : at + 1)
-        if ((length = printed_length(w->text, at, plain)) > 0)
+    }
+    for (size_t at = 0, length; at < w->size; at = w->text[at] == '"' ? skip_quoted(w->text, at) : at + 1) {
+        length = stitches_length(w->text + at);
+        at += length > FEW ? length : 0;
+        length = printed_length(w->text, at, plain);
+        if (length)
             put_blanks(w, at, length, plain);
+    }
 }
 
 static void put_sign(struct wording *w, size_t at)
@@ -462,7 +480,7 @@ static void put_inner(struct wording *w, size_t at)
         line--;
     behind = phrases_skip(w->text, close + 2);
     if (line == 0 || w->text[line - 1] != ':' || !memchr(w->text + line, '*', at - line) || strncmp(w->text + close, "**", 2) != 0 ||
-        w->text[close + 2] == '*' || !(isdigit((unsigned char)w->text[behind]) || one_of("twice|thrice|once|two|three|four|x", w->text + behind)))
+        w->text[close + 2] == '*' || words_is(w->text + close - (close > 5 ? 5 : 0), "from") || !(isdigit((unsigned char)w->text[behind]) || one_of("twice|thrice|once|two|three|four|x", w->text + behind)))
         return;
     memcpy(own_text(w) + at, " (", 2);
     memcpy(own_text(w) + close, ") ", 2);
@@ -522,18 +540,6 @@ static void put_stars(struct wording *w, size_t rep)
     for (char *text = own_text(w); first <= to; first++)
         if (text[first] == c)
             text[first] = '*';
-}
-
-/* How long `k2, p3, ` is before a further stitch with its figure: no sign and no phrase begins in it. */
-static size_t stitches_length(const char *text)
-{
-    size_t length = 0, at = 0;
-
-    for (size_t n; (n = words_stitch_length(text + at)) > 0; at += words_gap_length(text + at)) {
-        length = at;
-        at += n;
-    }
-    return length;
 }
 
 /* Where `(26, 30)` of a cast-on stands, and how many further sizes that are; or 0. */
