@@ -254,11 +254,13 @@ static size_t first_row_length(const char *text)
 static size_t begin_again_length(const char *text, char plain[static PRINTED_PLAIN])
 {
     static const char *const words[] = {"repeat", "rep", "begin", "commence", "start"}, *const behind[] = {"again", "from", "at", "with", "the"};
-    size_t n = words_find(text, words, 5) >= 0 ? words_length(text) : 0, row;
+    size_t first = words_find(text, words, 5) >= 0 ? words_length(text) + print_blanks(text + words_length(text)) : 0, n = first, row;
 
-    for (n += print_blanks(text + n); n && words_find(text + n, behind, 5) >= 0; n += print_blanks(text + n))
+    while (n && words_find(text + n, behind, 5) >= 0) {
         n += words_length(text + n);
-    row = n ? first_row_length(text + n) : 0;
+        n += print_blanks(text + n);
+    }
+    row = n > first ? first_row_length(text + n) : 0;
     strcpy(plain, "rep for patt");
     return row && print_sentence_ends(text + n + row) && strlen(plain) <= n + row ? n + row : 0;
 }

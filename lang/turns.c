@@ -70,7 +70,8 @@ const struct phrase turns[] = {
     {"p . s . s . o .?", "psso"},
     {"t . b . l .?", "tbl"},
     {"m . #", "m#"},
-    {"c . # .? f|b|l|r .?", "c#f"},
+    {"c . # .? f|l .?", "c#f"},
+    {"c . # .? b|r .?", "c#b"},
     {"thread|cotton|silk|worsted|wool forward|fwd|over", "yfwd"},
 
     /* fabrics */

@@ -13,6 +13,7 @@ awk -v folder="$work/case/" -v wanted="$work/wanted" '
         file = sprintf("%s%04d.knit", folder, ++n)
         print about "|" expected >wanted
     }
+    FNR == 1   { each = file = "" }
     /^@@ /     { about = substr($0, 4); file = ""; next }
     /^@each /  { each = substr($0, 7); line = "Row 1: k2, %s, k2\n"; next }
     /^@after / { each = substr($0, 8); line = "Cast on 4\nRow 1: knit\n%s\n"; next }
