@@ -184,6 +184,21 @@ static bool names_row(const char *cell, size_t n)
     return false;
 }
 
+/* `let b = c || d`, `motif m { chart { k | k p | k } }`: a bar of the language's own, not of a table. */
+static bool is_statement(const char *text)
+{
+    static const struct {
+        const char *word, *marks;   /* one of which its line has */
+    } statements[] = {{"let", "="}, {"param", "="}, {"motif", "{="}, {"swatch", "?"}, {"if", "{"}, {"for", "{"}, {"stitch", "{"},
+                      {"gauge", "{"}, {"material", "{"}, {"springs", "{"}, {"mesh", "{"}, {"solve", "{"}, {"output", "{"}};
+    size_t line = words_line_length(text);
+
+    for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
+        if (words_is_name(text, statements[i].word) && strcspn(text, statements[i].marks) < line)
+            return true;
+    return false;
+}
+
 /* Of `CO | Cast on 12 sts |` the first cell goes, of `| K | Knit |` and of a table's head all. */
 static size_t table_length(const char *text)
 {
@@ -210,7 +225,7 @@ size_t heads_length(const char *text, bool inside, bool *stop)
         return length;
     if (!inside && (length = furniture_length(text)) > 0)
         return length;
-    if (!inside && memchr(text, '|', words_line_length(text)))
+    if (!inside && memchr(text, '|', words_line_length(text)) && !is_statement(text))
         return table_length(text);
     if ((length = title_length(text)) || (length = label_length(text)))
         return length;
