@@ -345,6 +345,7 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
 
     switch (again->which) {
     case AGAIN_LAST:
+        rows_pattern(body->rows, false);    /* `RS: ..` and `WS: ..` are worked by now */
         if (!eval_whole(eval, where, again->last, 1, rows_count(body->rows), "the number of rows", &last))
             return false;
         *texts = rows_last(body->rows, (int)last);

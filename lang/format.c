@@ -267,6 +267,8 @@ static void format_row(struct format *f, int indent)
 
     while (span.start > first->label.end && strchr("*_", f->source->text[span.start - 1]))
         span.start--;
+    while (span.start > 0 && isalnum((unsigned char)f->source->text[span.start - 1]) && isalnum((unsigned char)f->source->text[span.start]))
+        span.start--;   /* `Rows3-4` */
     if (verbatim) {
         span.end = text_end(f->source->text, span);
         format_verbatim(f, span, indent);

@@ -128,6 +128,24 @@ static size_t counter_length(const char *text)
     return words_find(word, words, sizeof words / sizeof *words) >= 0 ? words_line_length(text) : 0;
 }
 
+/* How long `[20 stitches each row]` is, a line of its own; or 0. */
+static size_t note_length(const char *text)
+{
+    size_t line = words_line_length(text), n = 1;
+    bool stitches = false;
+
+    while (line > 0 && strchr(" \t.", text[line - 1]))
+        line--;
+    if (!strchr("([", *text) || line < 3 || !strchr(")]", text[line - 1]) || !isdigit((unsigned char)text[1]))
+        return 0;
+    for (; n + 1 < line; n += words_length(text + n) + 1) {
+        stitches |= words_are_stitches(text + n);
+        if (!isalnum((unsigned char)text[n]) && text[n] != ' ')
+            return 0;
+    }
+    return stitches ? line : 0;
+}
+
 /* How long a line is that is an address of the web, or nothing but marks; or 0. */
 static size_t furniture_length(const char *text)
 {
@@ -136,7 +154,7 @@ static size_t furniture_length(const char *text)
     if (strncasecmp(text, "www.", 4) == 0 || strncasecmp(text, "http", 4) == 0 || (word == line && memchr(text, '@', line) && isalnum((unsigned char)*text)))
         return word == line ? line : 0;
     for (size_t i = 0; i < line; i++) {
-        if (!strchr("*=_~-. \t", text[i]))
+        if (!strchr("*=_~-.|: \t", text[i]))
             return 0;
         marks += text[i] != ' ';
     }
@@ -199,6 +217,45 @@ static bool is_statement(const char *text)
     return false;
 }
 
+/* Whether the line has nothing but words of a table's head, `Row  Side  Instructions`. */
+static bool is_table_head(const char *text)
+{
+    static const char *const words[] = {"row", "rnd", "round", "side", "instruction", "instructions", "stitches", "sts", "st", "stitch", "count", "pattern", "work",
+                                        "number", "notes", "directions", "done", "total"};
+    size_t line = words_line_length(text), n = 0;
+
+    for (size_t at = 0, length; at < line; at += length + strspn(text + at + length, " \t#|/")) {
+        length = words_length(text + at);
+        if (!length || words_find(text + at, words, sizeof words / sizeof *words) < 0)
+            return false;
+        n++;
+    }
+    return n > 1;
+}
+
+/* `## Row 1` of Markdown, its stitches on the next line: the signs. */
+static size_t signs_of_heading(const char *text)
+{
+    size_t at = strspn(text, "#"), line = words_line_length(text);
+
+    at += strspn(text + at, " *");
+    return at && prose_row_follows(text + at) && prose_stitches_follow(text + line + strspn(text + line, "\r\n \t*-")) && !memchr(text + at, ',', line - at) ? at : 0;
+}
+
+size_t heads_cast_on(const char *text)
+{
+    size_t bold = strspn(text, "*"), on = bold + words_length(text + bold), end, next;
+
+    on += strspn(text + on, " -");
+    if (!words_is(text + bold, "cast") || !words_is(text + on, "on"))
+        return 0;
+    end = on + 2 + strspn(text + on + 2, ":* \t");
+    next = end + strspn(text + end, "\r\n \t");
+    if (!text[end] || !strchr("\r\n", text[end]))
+        return 0;
+    return words_behind_number(text + next) && words_are_stitches(words_behind_number(text + next)) ? next : end;
+}
+
 /* Of `CO | Cast on 12 sts |` the first cell goes, of `| K | Knit |` and of a table's head all. */
 static size_t table_length(const char *text)
 {
@@ -223,8 +280,12 @@ size_t heads_length(const char *text, bool inside, bool *stop)
     if (!inside && isdigit((unsigned char)*text) &&
         ((length = time_length(text)) || (length = counter_length(text)) || (length = number_length(text, stop))))
         return length;
-    if (!inside && (length = furniture_length(text)) > 0)
+    if (*text == '#')
+        return signs_of_heading(text);
+    if (!inside && ((length = furniture_length(text)) || (length = note_length(text))))
         return length;
+    if (!inside && is_table_head(text))
+        return words_line_length(text);
     if (!inside && memchr(text, '|', words_line_length(text)) && !is_statement(text))
         return table_length(text);
     if ((length = title_length(text)) || (length = label_length(text)))
@@ -234,24 +295,25 @@ size_t heads_length(const char *text, bool inside, bool *stop)
 
 size_t heads_example(const char *text, size_t *number)
 {
-    static const char *const words[] = {"i", "we", "sample", "shown", "example", "mine", "used", "cast", "co", "photo", "model", "pictured", "ex", "swatch"},
-                             *const multiple[] = {"multiple", "even", "odd", "any", "number"};
-    size_t open = strcspn(text, "(.\r\n"), at = open + 1, n;
-    bool of = false, named = false;
+    static const char *const named[] = {"i", "we", "sample", "shown", "example", "mine", "used", "eg", "e", "such", "photo", "model", "pictured", "ex"},
+                             *const multiple[] = {"multiple", "even", "odd", "any", "number"}, *const once[] = {"sts", "st", "stitches"};
+    size_t line = words_line_length(text), at = 0, from = 0, n;
+    bool of = false, said = false;
 
-    for (size_t i = 0; i < open; i += words_length(text + i) + 1)
-        of |= words_find(text + i, multiple, 5) >= 0;
-    if (text[open] != '(' || !of)
-        return 0;
-    for (*number = 0; text[at] && !strchr(")\r\n", text[at]); at += n ? n : 1) {
+    /* Behind the multiple, a comma, a dash or a bracket begins what says who has how many. */
+    for (*number = 0; at < line && !(said && *number && strchr(").", text[at])); at += n ? n : 1) {
         n = words_length(text + at);
-        named |= n && words_find(text + at, words, sizeof words / sizeof *words) >= 0;
-        if (!n && isdigit((unsigned char)text[at])) {
+        of |= n && words_find(text + at, multiple, 5) >= 0;
+        from = of && !from && strchr("(,-\xE2", text[at]) ? at : from;
+        said |= from && n && words_find(text + at, named, sizeof named / sizeof *named) >= 0;
+        if (from && !n && isdigit((unsigned char)text[at])) {
             if (*number)
                 return 0;
             *number = at;
             n = strspn(text + at, "0123456789");
+        } else if (*number && n && text[from] != '(' && words_find(text + at, once, 3) < 0) {
+            return 0;
         }
     }
-    return text[at] == ')' && *number && named ? at + 1 : 0;
+    return said && *number ? at + (text[at] == ')') : 0;
 }

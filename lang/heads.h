@@ -11,6 +11,9 @@
  * alone. 0: none of these. `stop`: the last of them is to be a full stop, as a row's number stands before it. */
 size_t heads_length(const char *text, bool inside, bool *stop);
 
+/* How long `Cast on:` alone on its line is, with the line end where `20 sts` follows behind it; 0: another line. */
+size_t heads_cast_on(const char *text);
+
 /* How long ` a multiple of 4 (I used 24)` behind `Cast on` is, and where the number stands; or 0. */
 size_t heads_example(const char *text, size_t *number);
 

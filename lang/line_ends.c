@@ -87,10 +87,21 @@ static bool is_count(const char *text)
     return digits && (*behind == ',' || *behind == ';' || (behind > text + digits && words_are_stitches(behind)));
 }
 
+/* Where a row goes on to, behind `to`: `end`, `last 2 sts`; not `knit flat`. */
+static bool goes_to(const char *text)
+{
+    static const char *const words[] = {"the", "end", "last", "within", "marker", "m", "next"};
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (words_is_name(text, words[i]))
+            return true;
+    return isdigit((unsigned char)*text) || strchr("{*", *text);
+}
+
 /* In a row: after a comma, an open star or a colon, and before `rep from`. */
 static bool row_goes_on(const struct scanner *scanner, const char *text)
 {
-    static const char *const words[] = {"st", "sts", "stitch", "stitches", "to", "across", "last", "from"};
+    static const char *const words[] = {"st", "sts", "stitch", "stitches", "across", "last", "from"};
     size_t length = words_name_length(text);
 
     /* `rep from *`, `rep to end`; not `repeat for pattern`, `rep 1st and 2nd rows`. */
@@ -98,6 +109,8 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
         return !prose_repeats_rows(text + length);
     if (words_is_name(text, "end") || words_is_name(text, "ending"))
         return ends_row(text + length + strspn(text + length, " \t"));
+    if (words_is_name(text, "to"))
+        return goes_to(text + length + strspn(text + length, " \t"));
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (words_is_name(text, words[i]))
             return !prose_fabric_follows(text + length + strspn(text + length, " \t"));

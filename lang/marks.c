@@ -117,11 +117,11 @@ static bool is_alone(const char *text, size_t at, size_t length)
 static size_t plain_arrow(const char *text, size_t at, size_t length, unsigned code, char plain[static 8])
 {
     const char *behind = text + at + length, *number = words_skip_blanks(behind);
-    char before = at > 0 ? text[at - 1] : ' ';
+    char before = at > 0 ? text[at - 1] : ' ', last = at > 1 && before == ' ' ? text[at - 2] : before;
 
     if ((before == '(' || before == '[') && *behind == (before == '(' ? ')' : ']') && length == 3 && (code == 0x2190 || code == 0x2192))
         return (size_t)snprintf(plain, 8, "%s", code == 0x2190 ? "RS" : "WS");
-    if (isdigit((unsigned char)*number) && (isdigit((unsigned char)before) || words_are_stitches(words_skip_blanks(number + strspn(number, "0123456789")))))
+    if (isdigit((unsigned char)*number) && (isdigit((unsigned char)last) || words_are_stitches(words_skip_blanks(number + strspn(number, "0123456789")))))
         return (size_t)snprintf(plain, 8, "-");
     return 0;
 }
@@ -200,6 +200,9 @@ static void join_word(char *text, size_t at)
 {
     size_t rest = at + 1 + (text[at + 1] == '\r'), n;
 
+    /* `Rows 3-` and `4:`. */
+    if (at > 0 && isdigit((unsigned char)text[at - 1]) && text[rest] == '\n' && isdigit((unsigned char)text[rest + 1]))
+        memset(text + at + 1, ' ', rest - at);
     if (at < 2 || !isalpha((unsigned char)text[at - 1]) || !isalpha((unsigned char)text[at - 2]) || text[rest] != '\n' || !islower((unsigned char)text[rest + 1]))
         return;
     n = words_length(text + ++rest);
@@ -266,7 +269,7 @@ static bool is_emphasised(const char *text, size_t n, size_t marks)
         from--;
     if (!n || isspace((unsigned char)*text) || isspace((unsigned char)text[n - 1]) || words_is(text + from, "from"))
         return false;
-    return marks == 2 ? words_length(text) > 0 && words_find(text, stitches, 2) < 0 && !memchr(text, ',', n) : words_find(text, rows, sizeof rows / sizeof *rows) >= 0;
+    return marks == 2 ? isalnum((unsigned char)*text) && words_find(text, stitches, 2) < 0 && !memchr(text, ',', n) : words_find(text, rows, sizeof rows / sizeof *rows) >= 0;
 }
 
 /* How long `Row 1:` is in `**Row 1:**`, `*Row 1:*`, `_Row 1:_`: letters of emphasis; or 0. */
@@ -280,7 +283,7 @@ static size_t emphasis_length(const char *text, size_t at, size_t marks)
         return 0;
     if (text[at] == '_')
         return text[at + 1 + n] == '_' && !isspace((unsigned char)text[at + n]) ? n : 0;
-    if (text[at + marks + n] != '*' || (marks == 2) != (text[at + marks + n + 1] == '*') || (marks == 1) != begins_item(text, at))
+    if (text[at + marks + n] != '*' || (marks == 2) != (text[at + marks + n + 1] == '*') || ((marks == 1) != begins_item(text, at) && !isdigit((unsigned char)text[at + marks])))
         return 0;
     return is_emphasised(text + at + marks, n, marks) ? n : 0;
 }

@@ -572,7 +572,8 @@ again_counted:
 | UNTIL_ROWS count ROW_WORD TOTAL       { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
 | UNTIL_LENGTH                          { $$ = syntax_again_until(parse, @$, $1); }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
-| FOR_ROWS count ROW_WORD               { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count}; }
+| CROSS count MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
+| FOR_ROWS count more ROW_WORD          { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count}; }
 | FOR_TOTAL count ROW_WORD              { $$ = (struct again){.kind = AGAIN_TOTAL_ROWS, .n = $count}; }
 | FOR_TOTAL count TIMES                 { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }
 | count TIMES TOTAL                     { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }

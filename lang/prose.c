@@ -262,13 +262,24 @@ static bool is_numbered_heading(const char *text)
     return end > n + 1 && (text[end] == ':' ? prose_line_ends(text + end + 1) : text[end] && prose_line_ends(text + end) && !digits);
 }
 
+/* `FAQ`: letters no stitch has. */
+static bool is_shouted(const char *text, size_t n)
+{
+    static const char *const work[] = {"knit", "purl", "repeat", "garter", "rep"};
+
+    for (size_t i = 0; i < n; i++)
+        if (!isupper((unsigned char)text[i]))
+            return false;
+    return n > 2 && words_find(text, work, sizeof work / sizeof *work) < 0 && !words_are_rows(text) && !is_nearly_statement(text);
+}
+
 /* `Ribbing` alone above a row. */
 static bool is_heading(const char *text)
 {
     static const char *const rows[] = {"set", "setup", "foundation", "next", "all", "every"};
     size_t n = words_length(text);
 
-    if (is_numbered_heading(text))
+    if (is_numbered_heading(text) || (is_shouted(text, n) && prose_line_ends(text + n)))
         return true;
     return n > 2 && isupper((unsigned char)*text) && prose_line_ends(text + n) && !is_nearly_statement(text) && !words_are_rows(text) &&
            (prose_statement_follows(next_line(text)) || words_find(next_line(text), rows, sizeof rows / sizeof *rows) >= 0);

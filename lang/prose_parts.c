@@ -31,6 +31,8 @@ bool prose_statement_follows(const char *text)
     text += strspn(text, "*_ \t");
     if (words_behind_number(text))
         return words_are_rows(words_behind_number(text));
+    if (words_is(text, "k") || words_is(text, "p"))
+        return prose_rows_follow(words_skip_blanks(text + 1));
     return words_find(text, word, sizeof word / sizeof *word) >= 0;
 }
 
@@ -258,6 +260,14 @@ bool prose_tells_of_row(const char *text)
         text += strspn(text, " \t,.!?'-");
     }
     return words > 2;
+}
+
+bool prose_side_is_worked(const char *text)
+{
+    static const char *const sides[] = {"rs", "ws"}, *const work[] = {"knit", "purl"};
+    const char *behind = words_skip_blanks(text + words_length(text));
+
+    return words_find(text, sides, 2) >= 0 && *behind == ':' && words_find(words_skip_blanks(behind + 1), work, 2) >= 0;
 }
 
 bool prose_row_follows(const char *text)

@@ -62,6 +62,8 @@ static const struct {
       "rc", "lc", "rpc", "lpc", "fc", "bc", "fpc", "bpc", "cable*", "cn", "#/#*", "#-st*", "cross*", "twist*"}},
     {"a bobble", TOPOLOGY,
      {"mb", "make bobble", "make a bobble", "bobble*", "nupp*", "popcorn*"}},
+    {"a crochet stitch", TOPOLOGY,
+     {"sc", "dc", "hdc", "ch", "ch#"}},
     {"a dropped stitch", TOPOLOGY,
      {"drop*"}},
     {"an elongated stitch", TOPOLOGY,

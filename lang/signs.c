@@ -360,7 +360,7 @@ static bool is_end_of_sentence(const char *text, size_t at)
 
     if (text[at] == ',')
         return tolower((unsigned char)*behind) == 'r' && isdigit((unsigned char)behind[1]) && behind[1 + strspn(behind + 1, "0123456789")] == ':';
-    return at > 0 && text[at - 1] == '.' && words_is(behind, "co") && isdigit((unsigned char)*words_skip_blanks(behind + 2));
+    return at > 1 && text[at - 1] == '.' && isalpha((unsigned char)text[at - 2]) && words_is(behind, "co") && isdigit((unsigned char)*words_skip_blanks(behind + 2));
 }
 
 /* ---- marks ---- */
@@ -490,6 +490,71 @@ static bool is_between_rows(const char *text, size_t at)
     return words_find(text + word, again, sizeof again / sizeof *again) < 0;
 }
 
+/* The sign of `R1/RS:`. */
+static bool is_before_side(const char *text, size_t at)
+{
+    return at > 1 && isdigit((unsigned char)text[at - 1]) && (words_is(text + at + 1, "rs") || words_is(text + at + 1, "ws")) && text[at + 3] == ':' && in_row(text, at);
+}
+
+/* `Row1`, `Rnds1` without a blank before the number: the word's bytes, and `R`, `Rd ` as short a name of a row or round. */
+static size_t glued_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    size_t n = words_length(text + at);
+    bool round = words_are_rows(text + at) && tolower((unsigned char)text[at + 1]) != 'o', rows = words_are_rows(text + at);
+
+    round |= rows && tolower((unsigned char)text[at + 2]) == 'u';
+    if (!rows || n < 3 || !isdigit((unsigned char)text[at + n]))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, round ? "Rd%*s" : "%*s", (int)n - (round ? 2 : 0), round ? "" : "R");
+    return n;
+}
+
+/* Of `Odd-numbered rows (1, 3, 5):`, or without brackets, the words before `rows`, and the brackets: their bytes. */
+static size_t listed_length(const char *text, size_t at)
+{
+    static const char *const parity[] = {"odd", "even", "uneven"}, list[] = "0123456789,& and";
+    size_t n = words_find(text + at, parity, 3) >= 0 ? words_length(text + at) : 0, open = at + n, end;
+
+    if (n) {
+        open += strspn(text + open, " -");
+        open += words_is(text + open, "numbered") ? 9 : 0;
+        n = open - at;
+        if (prose_row_follows(text + open))
+            return n;
+        open += words_are_rows(text + open) ? words_length(text + open) + 1 : 0;
+    }
+    if (text[at] == ')') {      /* the other is blank by now */
+        while (open > 0 && strchr(list, text[open - 1]))
+            open--;
+        end = at;
+    } else {
+        end = text[open] == '(' ? open + 1 + strspn(text + open + 1, list) : open;
+        open -= open > 0;
+    }
+    if (text[end] != ')' || end < open + 4 || text[end + 1] != ':')
+        return 0;
+    while (open > 0 && isalpha((unsigned char)text[open - 1]))
+        open--;
+    return words_are_rows(text + open) ? n + !n : 0;
+}
+
+/* `then` of `K2, then K1, P1 to last 2 sts, K2`, behind which the repeat begins that has no star. */
+static bool begins_repeat(const char *text, size_t at)
+{
+    static const char *const ends[] = {"until", "till", "repeat", "rep"};
+    size_t line = at, end = words_line_length(text + at);
+    const char *behind = words_skip_blanks(text + at + 4);
+    bool ended = false;
+
+    if (!words_is(text + at, "then") || !in_row(text, at) || !prose_stitches_follow(behind) || !isdigit((unsigned char)behind[1]))
+        return false;
+    while (line > 0 && !strchr("\r\n", text[line - 1]))
+        line--;
+    for (size_t i = 0; i < end; i += words_length(text + at + i) + 1)
+        ended |= words_find(text + at + i, ends, 4) >= 0 || (words_is(text + at + i, "to") && words_line_has(text + at + i, "last"));
+    return ended && strcspn(text + line, "*([{") >= at - line + end;
+}
+
 /* The second letter of `R7-R8`. */
 static bool is_second_row(const char *text, size_t at)
 {
@@ -576,6 +641,10 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         strcpy(plain, "\n");
         return 1;
     }
+    if (*here == '/' && is_before_side(text, at))
+        return 1;
+    if (*here && strchr("()oOeEuU", *here) && (begins || *here == ')') && (length = listed_length(text, at)) > 0)
+        return length;
     if (*here == '(' && chatter_length(here))
         return chatter_length(here);
     if (*here == '(' && other_counts_length(text, at))
@@ -599,8 +668,14 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     if (at > 0 && text[at - 1] == ' ' &&
         (strncmp(here, "- ", 2) == 0 || strncmp(here, "\xE2\x80\x93 ", 4) == 0 || strncmp(here, "\xE2\x80\x94 ", 4) == 0))
         return dash_remark_length(text, at);
+    if (strchr("rR", *here) && *here && begins && (length = glued_length(text, at, plain)) > 0)
+        return length;
     if (strchr("rR", *here) && *here && is_second_row(text, at))
         return 1;
+    if (strchr("tT", *here) && *here && begins && begins_repeat(text, at)) {
+        strcpy(plain, "*");
+        return 4;
+    }
     if (begins && isdigit((unsigned char)*here))
         return ordinals_length(text, at, plain);
     if (*here == '|')

@@ -85,6 +85,8 @@ static struct span words_in(const struct reader *reader, unsigned start, unsigne
     bool letters = false;
 
     end = comment ? (unsigned)(comment - reader->plain) : end;
+    while (end > start && isalnum((unsigned char)text[end - 1]) && isalnum((unsigned char)text[end]))  /* `Ro` of `Row1`, which is R1 */
+        end--;
     while (start < end && strchr(" \t\f\v.;,", text[start]))
         start++;
     while (end > start && strchr(" \t\f\v.;,", text[end - 1]))

@@ -149,6 +149,12 @@ static const struct phrase pages[] = {
     {"=# =rows|rounds|rnds - =garter|seed|moss|stockinette", ""},
     {"^ repeats : =#", "notes:"},
 
+    {"( =repeat|rep =to =the? =end )", ""},
+    {"< =knit|purl the? # st|nd|rd|th row|round|rnd =.|,", "1 row"},
+    {"uneven =-|rows|rnds|rounds|numbered", "odd"},
+    {"^ front side =:", "rs"},
+    {"^ back side =:", "ws"},
+
     /* a repeat that goes on */
     {"continue|cont =from =the? =*", "rep"},
     {"=,|; continue|cont =to|until|till =the? =end|last", "rep"},
@@ -448,8 +454,14 @@ static bool goes_on(const char *text, size_t at)
 static void put_head(struct wording *w, size_t at, bool inside)
 {
     bool stop;
-    size_t length = heads_length(w->text + at, inside, &stop), digits = strspn(w->text + at, "0123456789");
+    size_t length = heads_length(w->text + at, inside, &stop), digits = strspn(w->text + at, "0123456789"), cast = heads_cast_on(w->text + at);
 
+    if (cast) {
+        memset(own_text(w) + at, ' ', cast);
+        if (words_behind_number(w->text + at + cast))
+            memcpy(own_text(w) + at, "cast on", 7);
+        return;
+    }
     if (length && stop)
         memset(own_text(w) + at + digits, ' ', length - digits);
     else if (length)
