@@ -32,6 +32,12 @@ printf 'motif m { Row 1: k2, p1 }\n' >script.txt
 printf 'use "script.txt" as s\nswatch s.m\n' >use.knit
 exits 0 'another text is a script still' "$WEFT" check use.knit
 
+printf 'stitch K { kx = 3 }\nmotif m = K\n' >stitches.knit
+printf 'use "stitches.knit" as s\nswatch s.m\n' >use.knit
+exits 3 'a used file has no say in what knit is' "$WEFT" check use.knit
+err 'at its place' 'stitches.knit:1:8: error: a file that is used cannot change K \[E0109\]'
+err 'and where it is used' 'use.knit:1:1: note: in a file used here'
+
 printf 'motif m {\n  Row 1: k1, p1\n  Row 2: k1, p1\n}\nmotif n = turn(m)\n' >rows.knit
 printf 'use "rows.knit" as r\nuse n from "rows.knit"\nswatch above(r.m, n)\n' >use.knit
 exits 0 'motifs of rows are no single pattern' "$WEFT" check use.knit

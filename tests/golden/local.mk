@@ -73,6 +73,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/swach.knit \
     tests/golden/sweep.knit \
     tests/golden/sweep_range.knit \
+    tests/golden/sweep_twice.knit \
     tests/golden/syntax.knit \
     tests/golden/typos.knit \
     tests/golden/typos_in_rows.knit \
@@ -122,6 +123,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/swach.expected \
     tests/golden/sweep.expected \
     tests/golden/sweep_range.expected \
+    tests/golden/sweep_twice.expected \
     tests/golden/syntax.expected \
     tests/golden/typos.expected \
     tests/golden/typos_in_rows.expected \
