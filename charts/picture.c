@@ -178,14 +178,17 @@ static void unknown_colour(struct diag *diag, struct span span, const unsigned c
                            long long more)
 {
     size_t x = at % columns, y = at / columns;
+    unsigned rgb = p[0] * 0x10000u + p[1] * 0x100u + p[2];
     if (p[3] < 255)
         diag_error(diag, CODE_COLOUR, span, "the pixel at x = %zu, y = %zu is transparent", x, y);
     else
-        diag_error(diag, CODE_COLOUR, span, "the pixel at x = %zu, y = %zu is #%06x, which the key does not have", x, y,
-                   p[0] * 0x10000u + p[1] * 0x100u + p[2]);
+        diag_error(diag, CODE_COLOUR, span, "the pixel at x = %zu, y = %zu is #%06x, which the key does not have", x, y, rgb);
     diag_note(diag, (struct span){0}, "x counts from 0 at the left, y from 0 at the top%s",
               more ? arena_printf(diag->arena, "; %lld more pixels are not in the key", more) : "");
-    diag_hint(diag, "`--key '#000000=k,#ffffff=p'` says what the colours mean");
+    if (p[3] < 255)
+        diag_hint(diag, "fill what is transparent with a colour");
+    else
+        diag_hint(diag, "`weft import` says what colours mean: `--key '#%06x=k,#ffffff=p'`", rgb);
 }
 
 struct pattern picture_read(struct arena *arena, struct diag *diag, const struct source *source,

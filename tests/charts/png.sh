@@ -41,7 +41,7 @@ red.png:1:1: error: the pixel at x = 0, y = 0 is #ff0000, which the key does not
    1 | ???k
      | ^
 note: x counts from 0 at the left, y from 0 at the top; 5 more pixels are not in the key
-hint: `--key '#000000=k,#ffffff=p'` says what the colours mean
+hint: `weft import` says what colours mean: `--key '#ff0000=k,#ffffff=p'`
 TEXT
 empty 'nothing comes out' "$work/out"
 printf 'kkpk\nkprk\n' | "$paint" indexed "$work/one.png"
@@ -52,6 +52,7 @@ exits 3 'for programs' sh -c 'cd "$2" && "$1" import one.png --diagnostics json'
 err 'the line and the column count from 1' '^{"file": "one.png", "line": 2, "column": 3, "end": 4, .*"code": "E0807"'
 exits 3 'a transparent one' "$WEFT" import "$work/clear.png"
 err 'is said to be that' 'x = 1, y = 1 is transparent'
+err 'with what to do' '^hint: fill what is transparent with a colour$'
 printf 'kh\n' | "$paint" rgba "$work/half.png"
 exits 3 'one that can be seen through a little' "$WEFT" import "$work/half.png"
 err 'is no colour, either' 'x = 1, y = 0 is transparent'
