@@ -85,14 +85,26 @@ row "full Miura on two threads" "$(median <"$work/one")" "$(median <"$work/two")
 [ "$energy_one" = "$energy_two" ] && same=1 || same=0
 row "same bits on one thread and two" 1 $same "energy; iterations; gradient"
 
-# weft check of the largest example, start to end: the mean of a hundred.
+# The mean of so many runs of weft check, start to end.
+checks()        # file, runs -> sets each, in milliseconds
+{
+    begin=$(date +%s%N)
+    run=0
+    while [ $run -lt "$2" ]; do
+        "$weft" check "$1" >/dev/null
+        run=$((run + 1))
+    done
+    each=$((($(date +%s%N) - begin) / 1000000 / $2))
+}
+
 largest=$(for f in "$srcdir"/examples/*.knit; do
     echo "$("$weft" chart "$f" 2>/dev/null | wc -c) $f"
 done | sort -n | tail -n 1 | cut -d ' ' -f 2)
-begin=$(date +%s%N)
-run=0
-while [ $run -lt 100 ]; do
-    "$weft" check "$largest" >/dev/null
-    run=$((run + 1))
-done
-row "weft check $(basename "$largest"): bar 20" 20 $((($(date +%s%N) - begin) / 100000000)) milliseconds
+checks "$largest" 100
+row "weft check $(basename "$largest"): bar 20" 20 "$each" milliseconds
+
+# A thousand rows of a thousand stitches, each of them written.
+awk 'BEGIN { print "Cast on 1000 sts"
+    for (i = 1; i <= 1000; i++) { printf "Row %d: ", i; for (j = 0; j < 500; j++) printf "k1, p1, "; print "" } }' >"$work/million.knit"
+checks "$work/million.knit" 10
+row "weft check of a million stitches one by one: bar 200" 200 "$each" milliseconds

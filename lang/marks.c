@@ -333,11 +333,13 @@ static void put_mark(char *text, size_t at)
         text[at] = line ? '\n' : '|';
 }
 
+static const char marks[] = "-`\\~[<*_\"{}";
+
 static void put_marks(char *text, size_t size)
 {
     int depth = 0;
 
-    for (size_t at = 0; at < size; at++) {
+    for (size_t at = 0; (at += strcspn(text + at, marks)) < size; at++) {
         depth += text[at] == '{' ? 1 : text[at] == '}' && depth > 0 ? -1 : 0;
         if (text[at] == '"')
             at = words_skip_quoted(text, at) - 1;
@@ -349,9 +351,12 @@ static void put_marks(char *text, size_t size)
 const char *marks_plain(struct arena *arena, const char *text, size_t size)
 {
     struct page page = {.text = text, .size = size};
+    bool characters = has_characters(text, size);
 
+    if (!characters && strcspn(text, marks) == size)
+        return text;
     page.own = arena_copy(arena, text, size);
-    if (has_characters(text, size))
+    if (characters)
         put_characters(&page);
     put_marks(page.own, size);
     return page.own;
