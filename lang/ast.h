@@ -165,6 +165,7 @@ struct again {
     struct expr        *last;           /* repeat the last n rows */
     enum again_kind     kind;
     bool                pattern;        /* said in words: "for pattern" */
+    bool                open;           /* until a length, of which no gauge says how many rows it is */
     bool                assumed;        /* "work rows 1-4 twice": in all, where they were worked just before */
     bool                more;           /* "3 more times", never in all */
     struct expr        *n;

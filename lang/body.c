@@ -388,7 +388,7 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     if (!find_rows(eval, where, stmt, again, body, &texts))
         return false;
     rows_both_sides(body->rows, texts);
-    if (again->kind == AGAIN_PATTERN && !rows_worked(body->rows, texts))
+    if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))
         n = 1;
     if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
         diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how often these rows are %s", n ? "worked is not said: once"

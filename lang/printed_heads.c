@@ -106,12 +106,30 @@ static size_t head_of(const char *text, size_t at)
     return at;
 }
 
-/* The row before those that the head names; 0: none. */
+/* The number of the row that a line begins with, `3rd row`, `Row 3`; 0: none. */
+static int line_number(const char *text)
+{
+    text += print_blanks(text);
+    if (print_rows_length(text))
+        return atoi(text);
+    text += words_are_rows(text) ? words_length(text) : 0;
+    return atoi(text + print_blanks(text));
+}
+
+/* The row before those that the head names, or before `Next 7 rows`; 0: none. */
 static int row_before(const char *text, size_t head)
 {
+    static const char *const next[] = {"next", "following"};
     size_t n = strcspn(text + head, "0123456789:\r\n");
+    int number = 0;
 
-    return isdigit((unsigned char)text[head + n]) ? atoi(text + head + n) - 1 : 0;
+    if (words_find(text + head + print_blanks(text + head), next, 2) < 0)
+        return isdigit((unsigned char)text[head + n]) ? atoi(text + head + n) - 1 : 0;
+    for (int lines = 0; lines < 4 && head > 0 && !number; lines++) {
+        head = print_line_start(text, head - 1);
+        number = line_number(text + head);
+    }
+    return number;
 }
 
 /* ---- rows told by others ---- */

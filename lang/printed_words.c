@@ -265,6 +265,34 @@ static size_t begin_again_length(const char *text, char plain[static PRINTED_PLA
     return row && print_sentence_ends(text + n + row) && strlen(plain) <= n + row ? n + row : 0;
 }
 
+/* `C.O.` that ends a line: no number is cast on, all are cast off. */
+static size_t cast_off_length(const char *text, char plain[static PRINTED_PLAIN])
+{
+    size_t n = strncasecmp(text, "c.o", 3) == 0 ? 3 : strncasecmp(text, "c. o", 4) == 0 ? 4 : 0;
+
+    n += n && text[n] == '.';
+    strcpy(plain, "bo");
+    return n && (!text[n + print_blanks(text + n)] || strchr("\r\n", text[n + print_blanks(text + n)])) ? n : 0;
+}
+
+/* `plus 1 edge st at each side`: `plus 2`. */
+static size_t each_side_length(const char *text, char plain[static PRINTED_PLAIN])
+{
+    static const char *const words[] = {"edge", "selvedge", "selvage", "extra", "st", "sts", "stitch", "stitches", "at", "on", "for", "each", "either"},
+                             *const side[] = {"side", "end", "edge"};
+    size_t n = words_is(text, "plus") ? 4 + print_blanks(text + 4) : 0;
+    int number = n ? atoi(text + n) : 0;
+    bool each = false;
+
+    n += n ? strspn(text + n, "0123456789") : 0;
+    for (n += print_blanks(text + n); number > 0 && words_find(text + n, words, 13) >= (each ? 13 : 0); n += print_blanks(text + n)) {
+        each = words_find(text + n, words, 13) >= 11;
+        n += words_length(text + n);
+    }
+    snprintf(plain, PRINTED_PLAIN, "plus %d", 2 * number);
+    return each && words_find(text + n, side, 3) >= 0 ? n + words_length(text + n) : 0;
+}
+
 /* ---- all of them ---- */
 
 /* Whether a cast-on follows, of so many: `Bib.  Cast on 25 sts.` */
@@ -293,8 +321,14 @@ size_t print_word_length(const char *text, size_t at, char plain[static PRINTED_
         length = instead_length(text, at, plain);
     if (!length && c == 's')
         length = tens_length(here, plain);
-    if (!length && strchr("tf", c))
-        length = lead_length(text, at);
+    if (!length && c == 'c')
+        length = cast_off_length(here, plain);
+    if (!length && c == 'p')
+        length = each_side_length(here, plain);
+    if (!length && strchr("tf", c) && lead_length(text, at)) {
+        *plain = '\0';
+        return lead_length(text, at);
+    }
     if (!length && strchr("aeuon", c))
         length = count_length(here, plain);
     return length || !strchr("wtsjealrpk", c) ? length : print_told_length(text, at, plain);

@@ -299,7 +299,7 @@ static bool has_count(const char *text)
 
 bool prose_is_title(const char *text)
 {
-    text += *text == '(' && words_length(text + 1) > 4;
+    text += *text == '(' && (words_length(text + 1) > 4 || (isupper((unsigned char)text[1]) && words_length(text + 1) > 1));
     return !line_has(text, "{}[]=<>*|") && !has_file_name(text) && !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) &&
            !has_call(text) && !has_count(text) && count_words(text) > 0 && count_words(text) <= TITLE_WORDS &&
            (words_length(text) > 0 || count_words(text) > 1);
@@ -398,12 +398,15 @@ size_t prose_length(const struct scanner *scanner, const char *text)
     return line;
 }
 
-/* `Now K 3, P 12, K 3 on the wrong side`, `Rib 2 and 2 for 6 rows`: a sentence that has stitches with their numbers, or rows. */
+/* `Now K 3, P 12, K 3 on the wrong side`, `Rib 2 and 2 for 6 rows`, `Change to stocking-stitch`, `Repeat from ** to **`:
+ * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again. */
 static bool asks_for_work(const char *text, size_t length)
 {
-    static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const rib[] = {"rib", "work", "repeat"};
-    int stitches = 0;
-    bool rows = false;
+    static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const rib[] = {"rib", "work", "knit", "purl", "k", "p"},
+                             *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do"},
+                             *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"};
+    int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
+    bool asks = first >= 0 && first < 2 && memchr(text, '*', length);
 
     for (size_t i = 0; i < length; i++) {
         const char *behind = words_skip_blanks(text + i + words_length(text + i));
@@ -411,9 +414,10 @@ static bool asks_for_work(const char *text, size_t length)
         if ((i > 0 && isalnum((unsigned char)text[i - 1])) || !isalpha((unsigned char)text[i]))
             continue;
         stitches += words_find(text + i, stitch, 4) >= 0 && isdigit((unsigned char)*behind);
-        rows |= words_find(text + i, rib, 3) >= 0;
+        asks |= words_find(text + i, rib, 6) >= 0 && prose_rows_follow(behind);
+        asks |= first >= 3 && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
-    return stitches > 1 || (rows && words_find(text, rib, 3) >= 0 && prose_row_count(text) > 0 && prose_row_count(text) < length);
+    return asks || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
 }
 
 /* How many lines from here on read as prose, the first as far as it goes; `end` is behind the last. */

@@ -158,7 +158,7 @@ bool prose_stitches_follow(const char *text)
     if (strchr("([", *next) && *next && isdigit((unsigned char)next[1]))
         return true;
     return isdigit((unsigned char)text[1]) || !*next || strchr(".,|\r\n", *next) || words_find(next, behind, 3) >= 0 ||
-           (isdigit((unsigned char)*next) && !words_are_rows(words_skip_blanks(next + strspn(next, "0123456789"))));
+           (words_behind_number(next) && !words_are_rows(words_behind_number(next)));
 }
 
 bool prose_row_line(const char *text)

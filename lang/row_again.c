@@ -68,6 +68,14 @@ bool rows_worked(const struct row_list *list, struct row_texts texts)
     return list->failed || !texts.n;
 }
 
+bool rows_passed(const struct row_list *list, struct row_texts texts)
+{
+    for (int i = 0; i < texts.n && list->norder; i++)
+        if (list->order[list->norder - 1] == texts.text[i])
+            return false;
+    return true;
+}
+
 bool rows_just_worked(const struct row_list *list, struct row_texts texts)
 {
     int first = list->norder - texts.n;

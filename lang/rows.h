@@ -112,6 +112,9 @@ struct row_texts rows_pattern(struct row_list *, bool going_on);
 /* The rows given so far are a pattern only: not worked yet. */
 void rows_define(struct row_list *);
 
+/* Whether others were worked behind these. */
+bool rows_passed(const struct row_list *, struct row_texts);
+
 /* Whether the first of these was worked. */
 bool rows_worked(const struct row_list *, struct row_texts);
 

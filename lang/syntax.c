@@ -112,7 +112,10 @@ static bool refused_row(struct parse *parse, struct span span)
     int statement = parse->scanner->statement;
     struct span line = diag_line_around(span);
 
-    if (statement != TOKEN_ROW && statement != TOKEN_ALL && statement != TOKEN_SETUP && statement != TOKEN_AS_ROW)
+    /* `Knit 3 rows, increasing 2 sts`: what stands behind. */
+    if ((statement == TOKEN_PLAIN_ROWS || statement == TOKEN_WORK || statement == TOKEN_GO_ON_ROWS) && span.source->text[span.start] == ',')
+        line.start = span.start;
+    else if (statement != TOKEN_ROW && statement != TOKEN_ALL && statement != TOKEN_SETUP && statement != TOKEN_AS_ROW)
         return false;
     line.end = line.end > line.start + LIMIT_REFUSED ? line.start + LIMIT_REFUSED : line.end;
     return refused_text(parse->diag, line);
@@ -383,7 +386,7 @@ struct row syntax_measured(struct row row, struct measure measure)
 struct again syntax_again_until(struct parse *parse, struct span span, struct measure measure)
 {
     if (!measure.rows)
-        return (struct again){.kind = AGAIN_PATTERN};
+        return (struct again){.kind = AGAIN_PATTERN, .open = true};
     return (struct again){.kind = measure.part ? AGAIN_PART_LENGTH : AGAIN_LENGTH, .n = expr_number(parse, span, measure.rows, 0)};
 }
 

@@ -21,8 +21,12 @@ const struct phrase turns[] = {
     {"seam =# =,|;|.|sts|stitches", "p"},
 
     {"=knit|purl =every|each|all =row|rows|round|rounds plain", ""},
+    {", then|and =knit|purl|k|p|k.|p.|work =# =row|rows|round|rounds|rnd|rnds", "."},
+    {", and then =knit|purl|k|p|k.|p.|work =# =row|rows|round|rounds|rnd|rnds", "."},
     {",? and? then? finish|end with # plain =row|rows|round|rounds|rnd|rnds", ". knit #"},
     {"set -? up rows|row|rounds|rnds|round : =knit|k|k.|purl|p|p.|work =# =row|rows|round|rounds|rnd|rnds", ""},
+
+    {"=# =ridges|ridge in|of garter|g -? st.|st|stitch", ""},
 
     /* cast on */
     {"^ set|put up|on =# =sts|stitches", "co"},
@@ -33,6 +37,7 @@ const struct phrase turns[] = {
     {",? and # sts|stitches over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
     {"=sts . =,", ""},
     {":|,|;|- # on|to each|a|every needle|pin|wire", ""},
+    {":|,|;|- # on|to each of # needles|pins|wires", ""},
     {"any number of sts|stitches that may|will|can|must be? divided|divide by", "multiple of"},
     {"=cast =on # sts|stitches for each|every pattern|patt|repeat", "multiple of #"},
     {"=cast =on =# =sts|stitches|sts. , # patterns|patts|repeats|reps", ""},
@@ -51,6 +56,8 @@ const struct phrase turns[] = {
     {"work|continue|cont|repeat|rep until|till # complete? patterns|patts|pattern|repeats are|have|has been? completed|worked|done|complete|made", "rep them # times in all"},
 
     /* within a row */
+    {"=:|. right side facing|out ,|.|;|:|-?", "(rs)"},
+    {"=:|. wrong side facing|out ,|.|;|:|-?", "(ws)"},
     {"=repeat|rep the same", ""},
     {"all round|around", "around"},
     {"=last =#? =sts|stitches|st ,? which|these? knit|k", ", k to end"},
