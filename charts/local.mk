@@ -9,6 +9,7 @@ libcharts_a_SOURCES = \
     charts/import.c charts/import.h \
     charts/knitout.c charts/knitout.h charts/knitout_write.c \
     charts/kp.c charts/kp.h \
+    charts/legend.c charts/legend.h \
     charts/lines.c charts/lines.h \
     charts/pattern.h \
     charts/picture.c charts/picture.h \

@@ -10,6 +10,7 @@
 #include "charts/import.h"
 #include "charts/knitout.h"
 #include "charts/kp.h"
+#include "charts/legend.h"
 #include "charts/picture.h"
 #include "charts/words.h"
 #include "cli/command.h"
@@ -28,7 +29,7 @@ struct import {
 };
 
 typedef struct pattern read_chart(struct import *import);
-static read_chart read_csv, read_png, read_kp, read_knitout, read_words;
+static read_chart read_csv, read_png, read_kp, read_knitout, read_words, read_legend;
 
 /* What a chart is follows from its first bytes, else from its extension. */
 static const struct format {
@@ -42,6 +43,7 @@ static const struct format {
     {".knitout", knitout_is, "Knitout", read_knitout},
     {".csv", NULL, "A table of k and p", read_csv},
     {".tsv", NULL, "A table of k and p", read_csv},
+    {".chart", legend_is, "A chart of signs", read_legend},
     {".ks", words_is, "Written rows", read_words},
     {NULL, NULL, "A grid of K and P", read_kp},
 };
@@ -73,6 +75,11 @@ static struct pattern read_kp(struct import *import)
 static struct pattern read_words(struct import *import)
 {
     return words_read(import->arena, &import->diag, import->source);
+}
+
+static struct pattern read_legend(struct import *import)
+{
+    return legend_read(import->arena, &import->diag, import->source);
 }
 
 static struct pattern read_csv(struct import *import)

@@ -256,6 +256,15 @@ size_t heads_cast_on(const char *text)
     return words_behind_number(text + next) && words_are_stitches(words_behind_number(text + next)) ? next : end;
 }
 
+/* `Border`, `Edging`: the name of a part of a piece, no abbreviation. */
+static bool is_part(const char *text)
+{
+    static const char *const words[] = {"border", "edge", "edging", "edges", "body", "setup", "set", "main", "center", "centre", "top", "bottom", "rib", "ribbing",
+                                        "hem", "cuff", "base", "start", "end", "begin", "pattern", "next", "repeat", "last", "first"};
+
+    return words_find(text, words, sizeof words / sizeof *words) >= 0;
+}
+
 /* Of `CO | Cast on 12 sts |` the first cell goes, of `| K | Knit |` and of a table's head all. */
 static size_t table_length(const char *text)
 {
@@ -268,6 +277,8 @@ static size_t table_length(const char *text)
         (names_row(text + first, bar - first) && (numbers || prose_stitches_follow(text + next))))
         return 0;
     if (prose_pattern_follows(text + next) || (prose_rows_follow(words_skip_blanks(text + next + words_length(text + next)))))
+        return next;
+    if (is_part(text + first))
         return next;
     return memchr(text, '*', line) || (prose_stitches_follow(text + next) && numbers) ? 0 : line;
 }

@@ -195,6 +195,17 @@ static bool has_characters(const char *text, size_t size)
 
 /* ---- lines ---- */
 
+/* Whether a word ends here that has a dash before the next: `stocking-stitch`. */
+static bool is_compound(const char *text, size_t at)
+{
+    static const char *const words[] = {"stocking", "garter", "seed", "moss", "right", "wrong", "set", "cast", "knit", "purl", "double", "single", "reverse", "wise"};
+    size_t from = at;
+
+    while (from > 0 && isalpha((unsigned char)text[from - 1]))
+        from--;
+    return words_find(text + from, words, sizeof words / sizeof *words) >= 0;
+}
+
 /* Joins `re-` and `peat`, parted at a line's end: the rest of the word moves up, blanks stand for the end. */
 static void join_word(char *text, size_t at)
 {
@@ -205,6 +216,10 @@ static void join_word(char *text, size_t at)
         memset(text + at + 1, ' ', rest - at);
     if (at < 2 || !isalpha((unsigned char)text[at - 1]) || !isalpha((unsigned char)text[at - 2]) || text[rest] != '\n' || !islower((unsigned char)text[rest + 1]))
         return;
+    if (is_compound(text, at)) {
+        memset(text + at + 1, ' ', rest - at);
+        return;
+    }
     n = words_length(text + ++rest);
     memmove(text + at, text + rest, n);
     memset(text + at + n, ' ', rest - at);

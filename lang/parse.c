@@ -10,6 +10,7 @@
 #include "lang/marks.h"
 #include "lang/scanner.h"
 #include "lang/wording.h"
+#include "lang/words.h"
 
 /* The first bytes of files that are something else, and what they are. */
 static const struct format {
@@ -96,6 +97,55 @@ static bool is_stitch_grid(struct diag *diag, const struct source *source, const
     return true;
 }
 
+/* The last byte of the sign that a line of a key explains, `. = purl`; 0: it explains none. */
+static char explained_sign(const char *line)
+{
+    size_t n = words_line_length(line);
+
+    for (size_t i = 1; i < n; i++) {
+        char sign = line[i - 1 - (line[i - 1] == ' ' && i > 1)];
+        const char *meaning = words_skip_blanks(line + i + 1);
+
+        if (strchr("=:", line[i]) && !isalnum((unsigned char)sign) && !strchr(" )]\"'*", sign) && (words_is(meaning, "knit") || words_is(meaning, "purl")))
+            return sign;
+    }
+    return 0;
+}
+
+/* Whether a line has a sign twice at least, and no letter but those of crosses and rings. */
+static bool is_drawn(const char *line, char sign)
+{
+    size_t n = words_line_length(line), signs = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        if (isalpha((unsigned char)line[i]) && !strchr("xXoO", line[i]))
+            return false;
+        signs += line[i] == sign;
+    }
+    return signs > 1;
+}
+
+/* A key and lines of its signs, and no row in words. */
+static bool is_drawn_chart(struct diag *diag, const struct source *source, const char *text)
+{
+    const char *key = NULL;
+    int rows = 0;
+
+    for (const char *line = text; *line; line += words_line_length(line), line += strspn(line, "\r\n")) {
+        const char *first = line + strspn(line, " \t-*>");
+
+        if (words_are_rows(first) || words_is(first, "cast") || words_is(first, "co") || memchr(first, '{', words_line_length(first)))
+            return false;
+        key = key || !explained_sign(line) ? key : line;
+        rows += key && is_drawn(line, explained_sign(key));
+    }
+    if (rows < 2)
+        return false;
+    diag_error(diag, CODE_NOT_A_SCRIPT, whole_line(source, (size_t)(key - source->text)), "this is a chart with its key, not a script");
+    diag_hint(diag, "`weft import %s -o pattern.knit` makes a script of it", source->name);
+    return true;
+}
+
 static bool is_too_long(struct diag *diag, const struct source *source)
 {
     if (source->size <= LIMIT_FILE)
@@ -129,7 +179,7 @@ static bool is_script(struct diag *diag, const struct source *source, const char
         diag_hint(diag, "a pattern of two lines: `Cast on 20 sts` and `Row 1: *k2, p2; rep from *`");
         return false;
     }
-    return !is_stitch_grid(diag, source, first);
+    return !is_stitch_grid(diag, source, first) && !is_drawn_chart(diag, source, first);
 }
 
 unsigned source_start(const struct source *source)

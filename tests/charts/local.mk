@@ -3,6 +3,7 @@ chart_tests = \
     tests/charts/csv.sh \
     tests/charts/import.sh \
     tests/charts/knitout.sh \
+    tests/charts/legend.sh \
     tests/charts/png.sh \
     tests/charts/use.sh \
     tests/charts/words.sh \
