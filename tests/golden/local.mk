@@ -49,6 +49,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/html_file.knit \
     tests/golden/json.knit \
     tests/golden/json_file.knit \
+    tests/golden/long_line.knit \
     tests/golden/many.knit \
     tests/golden/motif_frames.knit \
     tests/golden/names.knit \
@@ -99,6 +100,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/html_file.expected \
     tests/golden/json.expected \
     tests/golden/json_file.expected \
+    tests/golden/long_line.expected \
     tests/golden/many.expected \
     tests/golden/motif_frames.expected \
     tests/golden/names.expected \
