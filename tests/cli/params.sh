@@ -27,6 +27,16 @@ check 'text' test "$(value params.0.text)" = 'stitches in half a repeat'
 check 'exact number' test "$(value params.1.default)" = 0.1
 check 'no range' test "$(value params.1.range)" = null
 
+printf 'param how = "newton"\nparam a = 3 cm\nswatch tile(K, 2, 2)\ngauge { width = a }\nsolve { method = how }\n' >"$work/text.knit"
+exits 0 'a text' "$WEFT" params "$work/text.knit"
+out 'as it stands' '^how  *= newton  *$'
+exits 0 'a text, as JSON' "$WEFT" params "$work/text.knit" --json
+cp "$work/out" "$work/x.json"
+check 'is its default' test "$(value params.0.default)" = newton
+check 'without a unit' test "$(value params.0.unit)" = ''
+check 'a length has one' test "$(value params.1.unit)" = length
+check 'and is counted in millimetres' test "$(value params.1.default)" = 30
+
 echo 'swatch tile(K, 2, 2)' >"$work/none.knit"
 exits 0 'none' "$WEFT" params "$work/none.knit" --json
 cp "$work/out" "$work/x.json"
