@@ -105,14 +105,15 @@ static struct value name_value(struct eval *eval, struct where where, const stru
 
 static struct value member_value(struct eval *eval, struct where where, const struct expr *e)
 {
-    struct binding *space = module_find(where.module, e->member.space), *member;
+    const char *name = e->member.space;
+    struct binding *space = module_find(where.module, name), *member;
 
     if (!space || space->kind != BINDING_SPACE) {
-        if (space)
+        if (space || name == eval->word_K || name == eval->word_P || name == eval->word_pi)
             diag_error(eval->diag, CODE_TYPE, e->span, "'%s' is no file; only `use \"..\" as NAME` makes one",
-                       e->member.space);
+                       name);
         else
-            module_unknown(eval, where, e->member.space, e->span);
+            module_unknown(eval, where, name, e->span);
         return bad;
     }
     member = module_find(space->module, e->member.name);

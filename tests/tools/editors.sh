@@ -56,10 +56,10 @@ my %like = (
     row => ['Row 1 (RS): k2', '  Rows 1 and 3: p2', 'R3: k1', '2nd row: p1', 'All WS rows: purl', 'Row {2 * i} (WS): k1', 'Next row: p1', 'Set-up row (WS): p1', 'Foundation row: k1', 'RS rows: knit'],
     again => ['Cast on 20 sts', 'Repeat rows 1-2 3 times', 'multiple of 4 + 2'],
     chart => ['chart {', '  chart (x = P, o = K) {'],
-    number => ['1.4', '1e-4', '1%', '5 mm', '.5'], stitch => ['k2', 'purl', 'P'],
+    number => ['1.4', '1e-4', '1%', '5 mm', '.5', 'pi'], stitch => ['k2', 'purl', 'P'],
     repeat => ['rep from *', '*', 'to last', 'twice', 'as row']);
 my %unlike = (row => ['let rows = 3', 'param row = 3', 'swatch tile(K, 2, 2)'], again => ['swatch repeat', 'output "x"'],
-    chart => ['output chart "x.txt"'], number => ['k', 'x_y'], stitch => ['kfb', 'moss']);
+    chart => ['output chart "x.txt"'], number => ['k', 'x_y', 'pile'], stitch => ['kfb', 'moss']);
 for my $name (keys %like) {
     my $pattern = $rules->{$name}{begin} // $rules->{$name}{match};
     for (@{ $like{$name} }) { print "$name is not: $_\n" and $bad = 1 unless /$pattern/ }

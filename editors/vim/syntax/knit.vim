@@ -17,6 +17,7 @@ syntax keyword knitFunction  tile fill beside above mirror flip invert turn rota
 syntax keyword knitFunction  count at min max abs floor ceil round sqrt sin cos tan exp log pow gcd
 
 syntax match knitNumber  '\v<\d+%(\.\d+)?%(e[-+]?\d+)?%(\s*\%|\s*[cm]?m>|in>)?'
+syntax keyword knitNumber pi
 syntax match knitOperator '\v\.\.|[-+*/<>=!?]|\&\&|\|\|'
 
 " Rows: a head up to its colon, then stitches to the end of the line.
