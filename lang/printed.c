@@ -119,6 +119,13 @@ static bool has_figure(const char *text, size_t from, size_t to)
     return from < to;
 }
 
+/* Whether the head of a row follows: ` 6th and 7th rows--`. */
+static bool row_follows(const char *text)
+{
+    text += print_blanks(text);
+    return print_rows_length(text) && print_head_ends(text + print_rows_length(text));
+}
+
 /* A full stop and what goes with it. */
 static size_t stop_length(const char *text, size_t at, char plain[static PRINTED_PLAIN])
 {
@@ -137,7 +144,7 @@ static size_t stop_length(const char *text, size_t at, char plain[static PRINTED
     }
     if (words_find(text + word, no, 2) >= 0 && isdigit((unsigned char)text[behind]))
         return 1;
-    if (behind > at + 1 && print_rows_length(text + behind) && print_head_ends(text + behind + print_rows_length(text + behind)) && words_find(text + word, referring, 7) < 0) {
+    if (behind > at + 1 && row_follows(text + behind) && words_find(text + word, referring, 7) < 0) {
         strcpy(plain, "\n");
         return 1;
     }
@@ -196,6 +203,10 @@ size_t printed_length(const char *text, size_t at, char plain[static PRINTED_PLA
     }
     if (*here == ',' && then_length(here))
         return then_length(here);
+    if (*here == ';' && row_follows(here + 1)) {
+        strcpy(plain, "\n");
+        return 1;
+    }
     if (*here == ':' && colon_length(here)) {
         strcpy(plain, ":");
         return colon_length(here);

@@ -14,6 +14,8 @@ const struct phrase turns[] = {
     {"=knit|k plain? for =# =row|rows|round|rounds|rnd|rnds|rd|rds", ""},
     {"knit|k plain =until|till", "k all rows"},
     {"=knit|k plain", ""},
+    {"k. =every|each|all =row|rows|round|rounds|rnd|rnds", "k"},
+    {"p. =every|each|all =row|rows|round|rounds|rnd|rnds", "p"},
     {"in plain - knitting|knit", "in garter"},
     {"in plain knitting|knit", "in garter"},
     {"plain =#", "k"},
@@ -56,6 +58,8 @@ const struct phrase turns[] = {
     {"work|continue|cont|repeat|rep until|till # complete? patterns|patts|pattern|repeats are|have|has been? completed|worked|done|complete|made", "rep them # times in all"},
 
     /* within a row */
+    {"( r . s .? facing )", "(rs)"},
+    {"( w . s .? facing )", "(ws)"},
     {"=:|. right side facing|out ,|.|;|:|-?", "(rs)"},
     {"=:|. wrong side facing|out ,|.|;|:|-?", "(ws)"},
     {"=repeat|rep the same", ""},
