@@ -404,10 +404,13 @@ static bool asks_for_work(const char *text, size_t length)
 {
     static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const rib[] = {"rib", "work", "knit", "purl", "k", "p"},
                              *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do"},
-                             *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"};
+                             *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"},
+                             *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
     int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
     bool asks = first >= 0 && first < 2 && memchr(text, '*', length);
 
+    if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0)
+        return false;
     for (size_t i = 0; i < length; i++) {
         const char *behind = words_skip_blanks(text + i + words_length(text + i));
 
@@ -488,7 +491,7 @@ bool scanner_prose(struct scanner *scanner)
     if (scanner->begun && refused_sentence(parse->diag, span))
         return true;
 
-    if (scanner->begun && asks_for_work(text, prose_length(scanner, text))) {
+    if (scanner->begun && !scanner->closed && asks_for_work(text, prose_length(scanner, text))) {
         diag_error(parse->diag, CODE_STATEMENT, span, "this asks for stitches, but which rows they are cannot be told");
         diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`; so many rows: `Work 6 rows in k2, p2 rib`");
         return true;

@@ -36,6 +36,7 @@ struct scanner {
     bool          complained;       /* about a character of this line */
     bool          bold;             /* `**` was opened before this head */
     bool          begun;            /* a statement came before */
+    bool          closed;           /* the stitches were cast off */
     bool          section;          /* of materials, notes or abbreviations, up to an empty line */
     bool          hole;             /* the bracket closed last was a number's */
     bool          stops;            /* a full stop stood between stitches of this row */
