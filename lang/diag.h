@@ -82,6 +82,12 @@ static inline bool diag_takes_more(const struct diag *diag)
     return diag->nerrors + diag->nwarnings < LIMIT_MESSAGES;
 }
 
+/* Whether the message recorded last is one that will be shown: what to do about it is worth finding out. */
+static inline bool diag_takes_notes(const struct diag *diag)
+{
+    return diag->open != NULL;
+}
+
 /* Whether there are so many that no more is worth reading: says so, once, at this place. */
 bool diag_is_full(struct diag *, struct span);
 

@@ -37,8 +37,12 @@ struct binding *binding_target(struct binding *binding)
 void module_unknown(struct eval *eval, struct where where, const char *name, struct span span)
 {
     struct nearest nearest = nearest_to(name);
-    const char *known = library_other_name(eval->arena, name);
+    const char *known;
 
+    diag_error(eval->diag, CODE_UNKNOWN_NAME, span, "nothing here is called '%s'", name);
+    if (!diag_takes_notes(eval->diag))
+        return;
+    known = library_other_name(eval->arena, name);
     for (const struct local *local = where.local; local; local = local->up)
         nearest_offer(&nearest, local->name);
     for (const struct binding *b = where.module->first; b; b = b->after)
@@ -46,7 +50,6 @@ void module_unknown(struct eval *eval, struct where where, const char *name, str
     nearest_offer(&nearest, "K");
     nearest_offer(&nearest, "P");
     builtin_offer(&nearest);
-    diag_error(eval->diag, CODE_UNKNOWN_NAME, span, "nothing here is called '%s'", name);
     if (library_source(eval->arena, name) && !module_find(where.module, name))
         diag_hint(eval->diag, "the library has it: `use %s from std`", name);
     else if (known && !nearest.best)
@@ -172,7 +175,7 @@ static void not_found(struct eval *eval, const struct stmt *stmt, const struct m
         return;
     }
     diag_error(eval->diag, CODE_USE, stmt->use.file_span, "there is no file '%s'", stmt->use.file);
-    if (!module->folder)
+    if (!module->folder || !diag_takes_notes(eval->diag))
         return;
     diag_did_you_mean(eval->diag, nearest_file(eval, module, stmt->use.file));
     diag_note(eval->diag, (struct span){0}, "looked in %s%s",
@@ -281,14 +284,17 @@ static void unknown_motif(struct eval *eval, const struct name_at *name, const s
                           const char *file)
 {
     struct nearest nearest = nearest_to(name->name);
-    const char *known = module ? NULL : library_other_name(eval->arena, name->name);
+    const char *known;
 
+    diag_error(eval->diag, CODE_USE, name->span, "%s has no '%s'", module ? file : "the library", name->name);
+    if (!diag_takes_notes(eval->diag))
+        return;
+    known = module ? NULL : library_other_name(eval->arena, name->name);
     if (module)
         for (const struct binding *b = module->first; b; b = b->after)
             nearest_offer(&nearest, b->name);
     else
         library_offer(&nearest);
-    diag_error(eval->diag, CODE_USE, name->span, "%s has no '%s'", module ? file : "the library", name->name);
     if (known)
         diag_hint(eval->diag, "the library calls it %s", known);
     else

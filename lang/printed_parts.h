@@ -27,7 +27,7 @@ static inline size_t print_line_within(const char *text, size_t at, size_t most)
 {
     size_t line = at;
 
-    while (line > 0 && at - line < most && !strchr("\r\n", text[line - 1]))
+    while (line > 0 && at - line < most && text[line - 1] != '\n' && text[line - 1] != '\r')
         line--;
     return line;
 }

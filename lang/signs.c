@@ -10,8 +10,11 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/printed_parts.h"
 #include "lang/prose.h"
 #include "lang/words.h"
+
+enum { SIGNS_LOOK_BACK = 2000 };    /* bytes before a sign in which its line is looked for */
 
 /* ---- numbers in letters ---- */
 
@@ -146,8 +149,7 @@ static bool in_row(const char *text, size_t at)
     static const char *const sides[] = {"rs", "ws", "next", "set"};
     size_t line = at, number;
 
-    while (line > 0 && !strchr("\r\n", text[line - 1]))
-        line--;
+    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     line += strspn(text + line, " \t-*+>|_(");
     number = line + strspn(text + line, "0123456789");
     return line < at && ((number > line && strchr(".:)|/(- ", text[number + (text[number] == ' ')])) || words_are_rows(text + line) || words_find(text + line, sides, 4) >= 0 ||
@@ -224,8 +226,7 @@ static size_t last_bar_length(const char *text, size_t at)
     end += strspn(text + end, " \t");
     if (text[end] && !strchr("\r\n", text[end]))
         return 0;
-    while (line > 0 && !strchr("\r\n", text[line - 1]))
-        line--;
+    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     return in_row(text, at) || prose_statement_follows(text + line + strspn(text + line, " \t|")) ? end - at : 0;
 }
 
@@ -393,8 +394,7 @@ static bool is_table_bar(const char *text, size_t at)
 {
     size_t line = at;
 
-    while (line > 0 && !strchr("\r\n", text[line - 1]))
-        line--;
+    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     while (strchr(" \t", text[line]) && text[line])
         line++;
     if (!isdigit((unsigned char)text[line + strspn(text + line, "| \t")]))
@@ -411,8 +411,7 @@ static bool in_expression(const char *text, size_t at)
     static const char *const words[] = {"let", "param", "sweep", "for", "if", "swatch", "motif", "output"};
     size_t line = at;
 
-    while (line > 0 && !strchr("\r\n", text[line - 1]))
-        line--;
+    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     return memchr(text + line, '=', at - line) || words_find(text + line + strspn(text + line, " \t"), words, sizeof words / sizeof *words) >= 0;
 }
 
@@ -438,8 +437,7 @@ static bool row_begins(const char *text, size_t at)
     if (words_find(text + at + 1, rows, 6) < 0 || number == word)
         return false;
     end += strspn(text + end, "0123456789");
-    while (line > 0 && !strchr("\r\n", text[line - 1]))
-        line--;
+    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     for (before = at; before > line && isalpha((unsigned char)text[before - 1]);)
         before--;
     if (end == number || at == line || !(text[end] == ':' || strncmp(text + end, " (RS):", 6) == 0 || strncmp(text + end, " (WS):", 6) == 0) || !(isalnum((unsigned char)text[at - 1]) || text[at - 1] == ')'))
@@ -548,8 +546,7 @@ static bool begins_repeat(const char *text, size_t at)
 
     if (!words_is(text + at, "then") || !in_row(text, at) || !prose_stitches_follow(behind) || !isdigit((unsigned char)behind[1]))
         return false;
-    while (line > 0 && !strchr("\r\n", text[line - 1]))
-        line--;
+    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     for (size_t i = 0; i < end; i += words_length(text + at + i) + 1)
         ended |= words_find(text + at + i, ends, 4) >= 0 || (words_is(text + at + i, "to") && words_line_has(text + at + i, "last"));
     return ended && strcspn(text + line, "*([{") >= at - line + end;

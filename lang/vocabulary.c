@@ -108,6 +108,13 @@ static void unknown(struct eval *eval, const struct module *module, const char *
     bool told = eval->refused.source == span.source && start >= eval->refused.start && start < eval->refused.end, of_rows;
     const char *meant;
 
+    /* What it was to be takes its time to find: past the messages that are shown a line is one error. */
+    if (!diag_takes_more(eval->diag)) {
+        if (!told)
+            diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
+        eval->refused = told ? eval->refused : diag_line_around(span);
+        return;
+    }
     if (refused_word(eval->diag, word, span)) {
         eval->refused = diag_line_around(span);
         return;
