@@ -250,6 +250,7 @@ struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *na
     if (!is_script(diag, source, source->text + scanner.at))
         return NULL;
     parse.text = source_plain(arena, source);
+    parse.joined = wording_is_joined(source->text);
     parse.scanner = &scanner;
     scanner_parse(&scanner);
     return parse.file;

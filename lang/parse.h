@@ -16,6 +16,7 @@ struct parse {
     struct stmt         *file;          /* the result: statements, */
     struct expr         *expression;    /* or the value of an option */
     struct scanner      *scanner;
+    bool                 joined;        /* in the round: what is called a row is one */
     bool                 too_deep;      /* an expression was: it is said once */
 };
 

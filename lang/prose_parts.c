@@ -58,7 +58,7 @@ bool prose_repeats_rows(const char *text)
 
     /* `repeat until it measures 8 in`; not `repeat until 2 sts remain`. */
     if (words_is(text, "until") || words_is(text, "till"))
-        return lengths_follow(text) || words_line_has(text, "rows") || words_line_has(text, "rounds");
+        return lengths_follow(text) || words_line_has(text, "yarn") || words_line_has(text, "rows") || words_line_has(text, "rounds");
     return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
            (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
 }
@@ -279,7 +279,7 @@ bool prose_is_remark(const char *text)
 {
     size_t n = 1, longest = 0;
 
-    for (; isalpha((unsigned char)text[n]) || strchr(" ,-!'", text[n] ? text[n] : '.'); n += words_length(text + n) ? words_length(text + n) : 1)
+    for (; isalnum((unsigned char)text[n]) || strchr(" ,-!'", text[n] ? text[n] : '.'); n += words_length(text + n) ? words_length(text + n) : 1)
         longest = words_length(text + n) > longest ? words_length(text + n) : longest;
     return *text == '(' && longest > 2 && text[n] == ')' && *words_skip_blanks(text + n + 1) == ':';
 }

@@ -44,7 +44,7 @@ static const struct {
      {"yo", "yo#*", "yo-*", "yfwd", "yfd", "yf", "yrn", "yon", "yfon", "yfrn", "y#rn", "wfwd", "wrn", "won", "yarn over",
       "yarn forward", "yarn round needle", "yarn round", "yarn fwd", "m#*", "make #", "make one", "kfb*", "kf&b", "pfb", "pf&b",
       "kbf", "pbf", "kfbf#", "k#fb", "p#fb", "k#f&b", "p#f&b", "inc*", "lli", "rli", "llinc", "rlinc", "llpi", "rlpi", "kll",
-      "krl", "kyok", "k#yok#", "pick up", "widen*", "into front and back", "into the front and back"}},
+      "krl", "kyok", "k#yok#", "pick up", "widen*", "into front and back", "front and back", "into the front and back"}},
     {"binding off", TOPOLOGY,
      {"bo", "bo#", "bind"}},
     {"casting on or off", TOPOLOGY,

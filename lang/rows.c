@@ -182,6 +182,13 @@ void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, 
 {
     struct filler *filler = arena_new(list->arena, struct filler), **last = &list->filler;
 
+    for (const struct filler *f = list->filler; f && (all == ALL_RS || all == ALL_WS); f = f->next)
+        if (f->all == all && !list->failed) {
+            diag_error(list->diag, CODE_ROW_NUMBER, text->head, "the %s rows are given twice", all == ALL_RS ? "RS" : "WS");
+            diag_note(list->diag, f->text->head, "here already");
+            diag_hint(list->diag, "number rows that follow each other: `Row 1 (RS): ...`, `Row 2 (WS): ...`");
+            row_list_fail(list);
+        }
     *filler = (struct filler){.all = all, .first = first, .text = text};
     while (*last)
         last = &(*last)->next;

@@ -552,6 +552,25 @@ static bool begins_repeat(const char *text, size_t at)
     return ended && strcspn(text + line, "*([{") >= at - line + end;
 }
 
+/* `[RS]`, `RS -` at the beginning of a line, before stitches: its bytes, and `RS:`. */
+static size_t side_head_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    bool bracket = text[at] == '[' || text[at] == '(';
+    size_t side = at + bracket, end = side + 2, line = at;
+
+    while (line > 0 && strchr(" \t-*+>", text[line - 1]))
+        line--;
+    if ((line > 0 && !strchr("\r\n", text[line - 1])) || (!words_is(text + side, "rs") && !words_is(text + side, "ws")))
+        return 0;
+    end += bracket && strchr(")]", text[end]) ? 1 : 0;
+    if (!bracket && strncmp(text + end, " - ", 3) == 0)
+        end += 2;
+    else if (!bracket && (strncmp(text + end, " \xE2\x80\x93 ", 5) == 0 || strncmp(text + end, " \xE2\x80\x94 ", 5) == 0))
+        end += 4;
+    snprintf(plain, SIGNS_PLAIN, "%.2s:", text + side);
+    return end > side + 2 && prose_stitches_follow(words_skip_blanks(text + end)) ? end - at : 0;
+}
+
 /* The second letter of `R7-R8`. */
 static bool is_second_row(const char *text, size_t at)
 {
@@ -626,6 +645,9 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         strcpy(plain, "knit");
         return 5;
     }
+    if (*here && strchr("([rRwW", *here) && begins && (length = side_head_length(text, at, plain)) > 0)
+        return length;
+    *plain = '\0';
     if (*here && strchr("([", *here) && side_length(text, at, plain))
         return side_length(text, at, plain);
     if (*here && strchr("/<", *here) && aside_length(text, at))

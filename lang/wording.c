@@ -22,7 +22,7 @@ static const struct phrase pages[] = {
     {"@ the rest|remainder", "to end"},
     {"@ all? the? rem|remaining =# sts|stitches", ""},
     {"@ all? the? rem|remaining sts|stitches", "to end"},
-    {"all the way across|along|around", "to end"},
+    {"all the way across|along|around|round", "to end"},
     {"all the way to the? end", "to end"},
     {"each|every st|stitch across|around|to the? end", "to end"},
     {"across|around the? row|round|rnd? until|till|to =#|there|just|only|you", "until"},
@@ -151,6 +151,15 @@ static const struct phrase pages[] = {
 
     {"( =repeat|rep =to =the? =end )", ""},
     {"< =knit|purl the? # st|nd|rd|th row|round|rnd =.|,", "1 row"},
+    {"=all|every|each =ws|even =rows|row are|is purled|purl", ": purl"},
+    {"all|every|each wrong side rows|row are|is purled|purl", "WS rows: purl"},
+    {"< purl all|every|each ws row|rows", "WS rows: purl"},
+    {"< purl all|every|each wrong -? side row|rows", "WS rows: purl"},
+    {"< purl all|every|each even row|rows", "even rows: purl"},
+    {"< knit row # =.|,", "row #:k"},
+    {"< purl row # =.|,", "row #:p"},
+    {"< knit rnd|round # =.|,", "rnd #:k"},
+    {"< purl rnd|round # =.|,", "rnd #:p"},
     {"uneven =-|rows|rnds|rounds|numbered", "odd"},
     {"^ front side =:", "rs"},
     {"^ back side =:", "ws"},
@@ -586,6 +595,45 @@ static size_t other_sizes_length(const struct wording *w, size_t at)
     return length && n == w->nsizes && (n > 1 || strchr(" ,", w->text[at + length])) ? length : 0;
 }
 
+/* ---- rows that are rounds ---- */
+
+bool wording_is_joined(const char *text)
+{
+    static const char *const join[] = {"join", "joined", "joining"}, *const round[] = {"round", "rnd", "rounds", "circle", "twist", "twisted"},
+                             *const flat[] = {"ws", "wrong", "turn"};
+    size_t said = 0;
+    bool joined = false, rows = false, rounds = false;
+
+    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
+        n = words_length(text + at);
+        if (!n || (at > 0 && isalnum((unsigned char)text[at - 1])))
+            continue;
+        if (words_find(text + at, flat, 3) >= 0)
+            return false;
+        if (prose_row_follows(text + at)) {
+            rows |= strncasecmp(text + at, "row", 3) == 0;
+            rounds |= strncasecmp(text + at, "row", 3) != 0;
+        }
+        if (rows && !joined)
+            return false;
+        if (words_find(text + at, join, 3) >= 0)
+            said = at + 1;
+        else if (said && at < said + 100 && words_find(text + at, round, 6) >= 0)
+            joined = true;
+    }
+    return joined && !(rows && rounds);
+}
+
+/* `Row 1` is `Rnd 1`. */
+static void put_rounds(struct wording *w)
+{
+    for (size_t at = 0, n; at < w->size; at += n ? n : 1) {
+        n = words_length(w->text + at);
+        if (n > 2 && n < 5 && strncasecmp(w->text + at, "row", 3) == 0 && (n == 3 || tolower((unsigned char)w->text[at + 3]) == 's') && (at == 0 || !isalnum((unsigned char)w->text[at - 1])))
+            memcpy(own_text(w) + at + 1, "nd", 2);
+    }
+}
+
 const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
     struct wording w = {.arena = arena, .text = text, .size = size};
@@ -593,6 +641,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
     int depth = 0;
 
     put_printed(&w);
+    if (wording_is_joined(w.text))
+        put_rounds(&w);
     w.sizes = cast_on_sizes(w.text, &w.nsizes);
     for (size_t at = 0; at < size;) {
         unsigned char c = (unsigned char)w.text[at];

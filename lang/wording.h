@@ -3,6 +3,7 @@
 #ifndef WEFT_WORDING_H
 #define WEFT_WORDING_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "lang/arena.h"
@@ -10,5 +11,9 @@
 /* The text with its turns of phrase put plainly, in as many bytes: places stay
  * the same. Texts in quotes are left alone. */
 const char *wording_plain(struct arena *, const char *text, size_t size);
+
+/* Whether `join .. in the round` stands before the rows, no row has a wrong side,
+ * and rows are not called both. */
+bool wording_is_joined(const char *text);
 
 #endif
