@@ -72,6 +72,10 @@ printf '# 1 1\rKPPP\rKKPP\rKKKP\r' >"$work/mac.txt"
 same 'line ends of old Macs' "$work/mac.txt"
 printf 'KPPP\nKKPP\nKKKP' >"$work/bare.txt"
 same 'no header, no last line end' "$work/bare.txt"
+name=$(printf 'two\nlines.txt')
+cp "$work/flag.txt" "$work/$name"
+same 'a file whose name has a line break' "$work/$name"
+check 'which the comment has not' grep -q '^# A grid of K and P, from two?lines.txt: ' "$work/again.knit"
 for name in 3d-shape.txt each.txt k.txt .txt 'a b.txt' tile.txt; do
     cp "$work/flag.txt" "$work/$name"
     same "a file called '$name'" "$work/$name"

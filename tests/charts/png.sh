@@ -77,6 +77,13 @@ limit=1000000
 exits 3 'a chunk of two gigabytes that are not there' \
     sh -c 'ulimit -v "$3"; exec "$1" import "$2"' - "$WEFT" "${srcdir:-.}/tests/fuzz/found/png-long-chunk" $limit
 err 'takes no room' 'this picture cannot be read: it ends too early'
+{
+    printf '\211PNG\r\n\032\n\000\000\000\015IHDR'
+    printf '\000\000\013\270\000\000\013\270\001\000\000\000\000\131\156\310\324'
+    printf '\000\000\000\000IDAT\065\257\006\036\000\000\000\000IEND\256\102\140\202'
+} >"$work/photograph.png"
+exits 3 'a photograph' "$WEFT" import "$work/photograph.png"
+err 'is too large' 'the picture is 3000 x 3000 pixels; a fabric may have 4000000 stitches \[E0707\]'
 exits 3 'a text called .png' sh -c 'cp "$2/flag.txt" "$2/text.png" && "$1" import "$2/text.png"' - "$WEFT" "$work"
 err 'cannot be read' 'text.png:1:1: error: this is no PNG picture.*E0808'
 
