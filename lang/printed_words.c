@@ -66,13 +66,20 @@ static size_t rib_length(const char *text, char plain[static PRINTED_PLAIN])
 static bool begins_sentence(const char *text, size_t at)
 {
     static const char *const then[] = {"then", "now", "in", "of"};
+    int lead = 0;
 
-    while (at > 0 && strchr(" \t", text[at - 1]))
-        at--;
-    if (at == 0 || strchr("\r\n.;", text[at - 1]))
-        return true;
-    at = print_word_before(text, at);
-    return words_find(text + at, then, 4) >= 2 || (words_find(text + at, then, 2) >= 0 && begins_sentence(text, at));
+    while (lead >= 0 && lead < 2) {
+        size_t word;
+
+        while (at > 0 && strchr(" \t", text[at - 1]))
+            at--;
+        if (at == 0 || strchr("\r\n.;", text[at - 1]))
+            return true;
+        word = print_word_before(text, at);
+        lead = word < at ? words_find(text + word, then, 4) : -1;
+        at = word;
+    }
+    return lead >= 2;
 }
 
 /* ---- others ---- */
