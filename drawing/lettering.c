@@ -124,6 +124,8 @@ static const struct {
 } others[] = {
     {"°", {2, "~0828260608"}}, {"·", {0, "05"}},   {"×", {4, "0347 0743"}},
     {"–", {4, "0545"}},        {"−", {4, "0545"}}, {"µ", {4, "0600 ~0604024244 4642"}},
+    {"—", {6, "0565"}},        {"…", {4, "02 22 42"}}, {"ß", {4, "~020718384715 ~1545423222"}},
+    {"ø", {4, "~0646420206 0147"}}, {"Ø", {6, "~0868620208 0169"}}, {"æ", {7, "~0636320206 3632 3474 ~747636327273"}},
 };
 static const struct {
     const char *utf8;
@@ -131,8 +133,24 @@ static const struct {
 } raised[] = {
     {"⁰", '0'}, {"¹", '1'}, {"²", '2'}, {"³", '3'}, {"⁴", '4'}, {"⁵", '5'},
     {"⁶", '6'}, {"⁷", '7'}, {"⁸", '8'}, {"⁹", '9'}, {"⁻", '-'},
+}, quotes[] = {{"“", '"'}, {"”", '"'}, {"„", '"'}, {"‘", '\''}, {"’", '\''}, {"«", '<'}, {"»", '>'}};
+
+/* Accents of small letters, over them or below, and the letters that have them: each, and behind it its own letter. */
+static const struct {
+    struct glyph glyph;
+    const char  *letters;
+    bool         below;
+} accents[] = {
+    {{1, "0718"}, "áaéeíióoúuýyÁAÉEÍIÓOÚUÝY", false},
+    {{1, "0817"}, "àaèeìiòoùuÀAÈEÌIÒOÙU", false},
+    {{2, "071827"}, "âaêeîiôoûuÂAÊEÎIÔOÛU", false},
+    {{2, "08 28"}, "äaëeïiöoüuÿyÄAËEÏIÖOÜU", false},
+    {{3, "~07183738"}, "ãañnõoÃAÑNÕO", false},
+    {{2, "~0828270708"}, "åaůuÅAŮU", false},
+    {{2, "081728"}, "šsčcžzřrěeŠSČCŽZŘRĚE", false},
+    {{1, "121000"}, "çcÇC", true},
 };
-static const struct glyph box = {4, "0848420208"};
+static const struct glyph dotless = {0, "0602"}, box = {4, "0848420208"};
 
 /* ---- finding glyphs ---- */
 
@@ -140,6 +158,8 @@ static const struct glyph box = {4, "0848420208"};
 struct mark {
     const struct glyph *glyph;
     double              scale, raise;
+    const struct glyph *accent;     /* or NULL; over its middle */
+    double              lift;       /* the accent's */
 };
 
 /* Bytes of the UTF-8 character that begins here, at least 1. */
@@ -156,6 +176,20 @@ static bool is_character(const char *text, size_t length, const char *utf8)
     return strlen(utf8) == length && memcmp(text, utf8, length) == 0;
 }
 
+/* A letter with an accent, its dot gone; a box for a character that is none. */
+static struct mark accented(const char *text, size_t length)
+{
+    for (size_t i = 0; i < sizeof accents / sizeof *accents; i++)
+        for (const char *at = accents[i].letters; *at; at += character_length(at) + 1) {
+            char under = at[character_length(at)];
+            bool lifted = under < 'a' && !accents[i].below;
+
+            if (character_length(at) == length && memcmp(text, at, length) == 0)
+                return (struct mark){under == 'i' ? &dotless : &ascii[under - FIRST], 1, 0, &accents[i].glyph, lifted ? 2 : 0};
+        }
+    return (struct mark){&box, 1, 0, NULL, 0};
+}
+
 /* The mark of the text's first character, which moves behind it. */
 static struct mark next_mark(const char **text)
 {
@@ -163,14 +197,17 @@ static struct mark next_mark(const char **text)
     size_t length = character_length(at);
     *text += length;
     if (length == 1 && *at >= FIRST && *at <= LAST)
-        return (struct mark){&ascii[*at - FIRST], 1, 0};
+        return (struct mark){&ascii[*at - FIRST], 1, 0, NULL, 0};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (is_character(at, length, others[i].utf8))
-            return (struct mark){&others[i].glyph, 1, 0};
+            return (struct mark){&others[i].glyph, 1, 0, NULL, 0};
     for (size_t i = 0; i < sizeof raised / sizeof *raised; i++)
         if (is_character(at, length, raised[i].utf8))
-            return (struct mark){&ascii[raised[i].as - FIRST], 2 / 3., CAPITAL / 2.};
-    return (struct mark){&box, 1, 0};
+            return (struct mark){&ascii[raised[i].as - FIRST], 2 / 3., CAPITAL / 2., NULL, 0};
+    for (size_t i = 0; i < sizeof quotes / sizeof *quotes; i++)
+        if (is_character(at, length, quotes[i].utf8))
+            return (struct mark){&ascii[quotes[i].as - FIRST], 1, 0, NULL, 0};
+    return accented(at, length);
 }
 
 bool lettering_knows(const char *text)
@@ -266,6 +303,10 @@ void lettering_draw(cairo_t *cairo, double x, double y, double size, enum letter
         cairo_translate(cairo, 0, mark.raise);
         cairo_scale(cairo, mark.scale, mark.scale);
         trace_glyph(cairo, mark.glyph);
+        if (mark.accent) {
+            cairo_translate(cairo, (mark.glyph->width - mark.accent->width) / 2., mark.lift);
+            trace_glyph(cairo, mark.accent);
+        }
         cairo_restore(cairo);
         cairo_translate(cairo, (mark.glyph->width + GAP) * mark.scale, 0);
     }

@@ -16,7 +16,7 @@ enum lettering_align { LETTERING_LEFT, LETTERING_CENTRE, LETTERING_RIGHT };
 #define LETTERING_DEPTH   0.25
 #define LETTERING_LINE    1.3
 
-/* Length of a line of text (UTF-8: ASCII and what lettering.c's table adds; a
+/* Length of a line of text (UTF-8: ASCII, letters with accents and what else lettering.c's tables have; a
  * box stands for the rest), in the size's unit. */
 double lettering_width(const char *text, double size);
 

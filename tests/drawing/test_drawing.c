@@ -283,6 +283,25 @@ static void every_ascii_glyph_is_another(void **state)
     }
 }
 
+static void letters_with_accents_are_others(void **state)
+{
+    (void)state;
+    static const char *const letters[] = {"a", "á", "à", "â", "ä", "ã", "å", "A", "Á", "Ä", "Å", "i", "í", "ï", "c", "ç", "č", "š", "s", "C", "Ç", "ß", "ø", "o", "ö", "Ø", "æ", "ñ", "…", "—"};
+    enum { N = sizeof letters / sizeof *letters };
+    static unsigned char pixels[N][SIDE * SIDE], unknown[SIDE * SIDE];
+    paint("\xE2\x82\xAC", unknown);
+    for (int a = 0; a < N; a++) {
+        assert_true(lettering_knows(letters[a]));
+        paint(letters[a], pixels[a]);
+        assert_memory_not_equal(pixels[a], unknown, SIDE * SIDE);
+        for (int b = 0; b < a; b++)
+            if (memcmp(pixels[a], pixels[b], SIDE * SIDE) == 0)
+                fail_msg("'%s' looks like '%s'", letters[a], letters[b]);
+    }
+    assert_true(lettering_width("ä", 1) == lettering_width("a", 1));
+    assert_false(lettering_knows("\xE2\x82\xAC"));
+}
+
 static void text_is_aligned(void **state)
 {
     (void)state;
@@ -335,6 +354,7 @@ int main(void)
         cmocka_unit_test(every_ascii_glyph_keeps_to_its_place),
         cmocka_unit_test(letters_and_digits_stand_on_the_line),
         cmocka_unit_test(every_ascii_glyph_is_another),
+        cmocka_unit_test(letters_with_accents_are_others),
         cmocka_unit_test(text_is_aligned),
         cmocka_unit_test(colours_are_found_and_kept_apart),
     };
