@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * The turns of phrase of printed books: `3 plain, 2 purl`, `Knit 4 rows plain`. */
+ * Turns of phrase that are put plainly (wording.c): of pages, `the rest of the row`, and of printed books, `3 plain, 2 purl`. */
 #ifndef LANG_TURNS_H
 #define LANG_TURNS_H
 
 #include "lang/phrases.h"
 
-/* They are put plainly before those of pages (wording.c), which may then find more. */
-extern const struct phrase turns[];
-extern const int turns_number;
+/* Those of books come first: those of pages may then find more. */
+extern const struct phrase turns_of_books[], turns_of_pages[];
+extern const int turns_of_books_number, turns_of_pages_number;
 
 #endif

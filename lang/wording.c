@@ -16,218 +16,7 @@
 #include "lang/turns.h"
 #include "lang/words.h"
 
-static const struct phrase pages[] = {
-    /* to the end */
-    {"all? the? rest|remainder of the|this? row|round|rnd|sts|stitches|way", "to end"},
-    {"@ the rest|remainder", "to end"},
-    {"@ all? the? rem|remaining =# sts|stitches", ""},
-    {"@ all? the? rem|remaining sts|stitches", "to end"},
-    {"all the way across|along|around|round", "to end"},
-    {"all the way to the? end", "to end"},
-    {"each|every st|stitch across|around|to the? end", "to end"},
-    {"across|around the? row|round|rnd? until|till|to =#|there|just|only|you", "until"},
-
-    /* to so many stitches before it */
-    {"until|till you get|come to the? =last", "to"},
-    {"until|till you get|come to the? end", "to end"},
-    {"until|till you reach the? =last", "to"},
-    {"until|till you reach the? end", "to end"},
-    {"until|till you have just|only? =#", "until"},
-    {"until|till there are|is just|only? =#", "until"},
-    {"until|till just|only =#", "until"},
-    {"st|sts|stitch|stitches are|is left|remaining", "sts rem"},
-
-    /* so many stitches */
-    {"@ the? next|first|last|following =# =sts|stitches|st|stitch", ""},
-    {"@ the? first|last|next st|stitch", "1"},
-
-    /* a repeat */
-    {"rep.|rpt", "rep"},
-    {"(|[ =knit|k|purl|p =all? =the =knits|knit|k|purls|purl|p =sts|stitches? =,? =and? =purl|p|knit|k =all? =the? =purls|purl|p|knits|knit|k =sts|stitches? )|]", ""},
-    {"(|[ work all? the? sts|stitches as they appear|come|lie|face )|]", "k k st p p st"},
-    {"( =# =times )", ""},
-    {"repeat|rep to|until|till desired|required|wanted|needed", "rep as desired"},
-    {"=repeat|rep between|within|inside? the? parentheses|brackets", ""},
-    {"=repeat|rep these|those|the # stitches|sts", ""},
-
-    {"alternately|alternating =to|across|around", ""},
-    {"and continue =to|across|around", "rep"},
-    {"=# =rows|rounds|rnds total|altogether", ""},
-
-    /* whole rows */
-    {"work all? the? sts|stitches as they appear|come|lie", "k k st p p st"},
-    {"work all? the? sts|stitches as they face|present you|themselves", "k k st p p st"},
-    {"work all? the? sts|stitches as set|established|est", "k k st p p st"},
-    {"@ a =row|round|rnd", "1"},
-    {"=work a =row|round|rnd", "1"},
-    {"=row|rows|round|rounds|rnd|rnds number|no.|no|nr.|nr|~ =#", ""},
-    {"=# above|again", ""},
-    {"step =# =:|.|)", ""},
-    {"< pattern|patt|pat =row|rows|round|rounds|rnd|rnds =#", ""},
-    {"=repeat|rep rows|rounds|rnds =until|till|to|as", "them"},
-    {"continue|cont|keep|by repeating =rows|rounds|rnds|row|these|this|the|last", "repeat"},
-    {"continue|cont to repeat|rep =rows|rounds|rnds|row|these|this|the|last", "repeat"},
-    {"rows|rounds|rnds # -|to|and|through # form|make|set|complete|create|establish", "row forms"},
-    {"st - st", "st st"},
-    {"g - st", "g st"},
-    {"=stocking|stockinette|garter|moss|seed|rev|reverse - =st|stitch|stocking|stockinette", ""},
-    {"=repeat|rep the? above =row|rows|round|rounds|rnd|rnds", "these"},
-    {"like =row|rows|round|rnd|rounds|rnds", "as"},
-    {"=work|cont|continue =in rib|ribbing for a? further? =# =rows|rounds|rnds|row", "pat for"},
-    {"=in rib|ribbing =for a further =#", ""},
-    {"=for a further =#", ""},
-
-    {"=work|cont|continue|knit even|straight =for =# =rows|rounds|rnds", ""},
-    {"=# =row|rows|round|rounds|rnd|rnds , and|then? then? =knit|purl|k|p|work =#", "."},
-    {"as given? above|before", ""},
-    {"and then? =cast|bind =off", "."},
-    {"=: cont|continue|keep =in", "work"},
-    {"; =co|cast =on? =#", "\n"},
-
-    /* the next rows */
-    {"^ for|on|over|the|following the? next|following? =# =rows|rounds|rnds ,|:", "next"},
-    {"< =work|knit|purl|k|p the? next =# =rows|rounds|rnds", ""},
-    {"< next =# =rows|rounds|rnds :|,? work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work"},
-    {"< next row|round|rnd (? rs|ws? )? :|, work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work 1 row"},
-    {"< work|knit|make =# garter? =ridge|ridges", "work"},
-
-    /* a row named by its side */
-    {"> on the? =next =row|rnd|round", ""},
-    {"> on? the? following row", "next row"},
-    {"> on? the? next|following rs|right -? side? row", "row (RS)"},
-    {"> on? the? next|following ws|wrong -? side? row", "row (WS)"},
-    {"> on =all|every|each =rs|ws|right|wrong|even|odd|other|alternate|alt? =-? =side? =row|rows|rnd|rnds|round|rounds", ""},
-    {"> on =rs|ws|right|wrong =-? =side? =rows", ""},
-    {"^ =# garter =ridge|ridges", ""},
-
-    /* other spellings */
-    {"c / o =#", "co"},
-    {"b / o", "bo"},
-    {"^ b . o .?", "bo"},
-    {"^ c . o .? =#", "co"},
-    {"( r . s .? =)", "( rs"},
-    {"( w . s .? =)", "( ws"},
-    {"=sts .? =on|with|using =#|a|the|two|no|size", ""},
-    {"=row on the? =rs|ws|wrong|right", ""},
-    {"=more|times|time|twice|once , =ending|finishing =with|on|after", ""},
-    {"of|from the? stitch|st? pattern|patt|pat =#|twice|once|until", ""},
-    {"=times|time ,? for a total of # pattern|patt? repeats", ""},
-    {"=then , =row|rows|rnd|rnds|round|rounds", ""},
-    {"repeated =to|until|across|from", "rep"},
-    {"pearl|perl knitting", "purl"},
-    {"pearl|perl =#", "purl"},
-    {"plain knitting", "knit"},
-    {"( =rep|repeat =from =* =# =times )", ""},
-    {"( place marker )", ""},
-    {"any number of sts|stitches that can be divided|divisible by", "multiple of"},
-    {"con - =#|a|an|multiple|multiples|odd|even|any", "con"},
-    {"alternative =row|rows|rnd|rnds|round|rounds", "alternate"},
-    {"=row|rows|rnd|rnds|round|rounds =# =&|and row|rnd|round =#", ""},
-    {"=repeat|rep pattern|patt|pat|chart stitch|st? =row|rows|rnd|rnds|round|rounds =#", ""},
-    {"for pattern|patt|pat =until|till", ""},
-    {"repeating =to|across|until|from", "rep"},
-    {"=work|continue|cont|knit as established|est", "in patt"},
-
-    /* so many more times */
-    {"another|again|further|additional|extra # times|x|time", "# more times"},
-    {"a|an|for|yet another|further|additional|extra # times|x|time", "# more times"},
-    {"# additional|further|other|extra times", "# more times"},
-    {"( =# =x )", ""},
-    {"=rep|repeat this|the # -? row|rows|round|rnd -? repeat|pattern|patt|pat|section|sequence", "these # rows"},
-    {"=rep|repeat the? above|preceding|previous # =rows|rounds|rnds", "last #"},
-    {"=row|rows|rounds|rnds to create|make|get|continue|complete|produce|build", "until"},
-
-    {"=knit|k =# =rows in? garter|g st|stitch?", ""},
-    {"=knit|purl|k|p =all? =the? =k|p|knit|purl|knits|purls =sts|stitches|st? as they appear|come|lie|present|face you|themselves|up?", ""},
-    {"=# =rows|rounds|rnds for a|the|your? top|bottom? garter|seed|moss? st|stitch? border|edging|edge|hem", ""},
-    {"approximately|approx.|approx|about|roughly =#", ""},
-    {"from|above|after the|your? cast on|- on? edge|row?", ""},
-    {"from|above|after the|your? cast-on|co edge|row|round", ""},
-    {"=# ins.|in.|cm.|cms. =(|from|or|and|ending|,", ""},
-    {"( # ins.|in.|cm.|cms. )", ""},
-    {"unless otherwise|else stated|noted|indicated|specified|instructed|directed", ""},
-    {"=# =rows|rounds|rnds - =garter|seed|moss|stockinette", ""},
-    {"^ repeats : =#", "notes:"},
-
-    {"( =repeat|rep =to =the? =end )", ""},
-    {"< =knit|purl the? # st|nd|rd|th row|round|rnd =.|,", "1 row"},
-    {"=all|every|each =ws|even =rows|row are|is purled|purl", ": purl"},
-    {"all|every|each wrong side rows|row are|is purled|purl", "WS rows: purl"},
-    {"< purl all|every|each ws row|rows", "WS rows: purl"},
-    {"< purl all|every|each wrong -? side row|rows", "WS rows: purl"},
-    {"< purl all|every|each even row|rows", "even rows: purl"},
-    {"< knit row # =.|,", "row #:k"},
-    {"< purl row # =.|,", "row #:p"},
-    {"< knit rnd|round # =.|,", "rnd #:k"},
-    {"< purl rnd|round # =.|,", "rnd #:p"},
-    {"uneven =-|rows|rnds|rounds|numbered", "odd"},
-    {"^ front side =:", "rs"},
-    {"^ back side =:", "ws"},
-
-    /* a repeat that goes on */
-    {"continue|cont =from =the? =*", "rep"},
-    {"=,|; continue|cont =to|until|till =the? =end|last", "rep"},
-    {"=to|until =the? =end of the? needle|needles", ""},
-    {"til|'til =the? =end|last", "to"},
-    {"=to|until|till =the? bor|eor marker|m?", "end"},
-    {"=to|until|till =the? beginning|start|end of the? row|round|rnd marker|m", "end"},
-    {"=# ( # ) =times|more|x", ""},
-
-    /* what is cast on, and by whom */
-    {"^ ~ of stitches|sts to? cast|co on? :|- =#", "co"},
-    {"^ number|no|no. of stitches|sts to? cast|co? on? :|- =#", "co"},
-    {"^ stitches|sts to cast|co on? :|- =#", "co"},
-    {"=cast -? =on stitches|sts|count|number : =#", ""},
-    {"^ i|we|you|i've =cast|casted =on =#", ""},
-    {"=cast -? =on ( =# =sts|stitches )", ""},
-    {"=cast -? =on =# m|ms|masks|maske|loops", ""},
-    {"=co =# m|ms|masks|maske|loops", ""},
-    {"# edge|selvedge|selvage m|ms", "k#"},
-    {"=last =# m|ms", ""},
-    {"=last m", "1"},
-    {"=until|till =# m|ms =remain|remains|rem|left", ""},
-
-    /* some stitches of a fabric */
-    {"=seed|moss|garter|stockinette|stocking|st|g =st|stitch|sts? over|for|across the? next|first|last|following|center|centre? =# =sts|stitches|st", ""},
-    {"work # sts|stitches in moss st|stitch?", "moss #"},
-    {"work # sts|stitches in seed st|stitch?", "seed #"},
-    {"work # sts|stitches in garter st|stitch?", "garter #"},
-    {"work # sts|stitches in stockinette|stocking|st st|stitch?", "stockinette #"},
-
-    /* widths */
-    {"any =multiple =of", ""},
-    {"multiples of", "multiple of"},
-    {"mult. of", "mult of"},
-    {"a? number of sts|stitches that|is|are? evenly? divisible by", "multiple of"},
-
-    /* counts */
-    {"=# =sts|stitches in? total|altogether", ""},
-    {"=# =sts|stitches on the? needle|needles", ""},
-
-    /* the last repeat */
-    {"=end|ends|ending|finish|finishing =the? =last =rep|repeat after|at|on", ""},
-    {"last rep|repeat ends|ending with|at|after|in?", "end last rep"},
-
-    /* a row's neighbour */
-    {"=# =rows|rounds|rnds , bind|cast off", "; bind off"},
-    {"=# =rows|rounds|rnds and|then bind|cast off", "; bind off"},
-    {"=once|twice|times|square|long|length|end|done and|then =bo", ";"},
-    {"=# =rows|rounds|rnds , then bind|cast off", "; bind off"},
-
-    /* line ends within */
-    {"=end =of =the|this|each? =row|round|rnd", ""},
-    {"=until|till|to =the? =end", ""},
-    {"=until|till =the|your? =piece|work|it|scarf|cloth|blanket|square|you|swatch", ""},
-    {"=until|till|to =desired|required =length", ""},
-    {"=# =more =times", ""},
-    {"=# =times|sts|stitches", ""},
-    {"=to|until =the? =last =#", ""},
-    {"=repeat|rep|work =rows|row|round|rounds =#", ""},
-    {"=repeat|rep =from|these|this|the|last", ""},
-    {"=cast|bind =on|off", ""},
-    {"=same|work =as =row", ""},
-};
-enum { PHRASES = sizeof pages / sizeof *pages, WORDING = 32, FEW = 16 };
+enum { WORDING = 32, FEW = 16 };
 
 /* The length of the first of the words a|b|c that stands in the text; 0: none does. */
 static size_t one_of(const char *words, const char *text)
@@ -637,7 +426,7 @@ static void put_rounds(struct wording *w)
 const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
     struct wording w = {.arena = arena, .text = text, .size = size};
-    struct phrases *phrases = phrases_read(arena, pages, PHRASES), *printed = phrases_read(arena, turns, turns_number);
+    struct phrases *phrases = phrases_read(arena, turns_of_pages, turns_of_pages_number), *printed = phrases_read(arena, turns_of_books, turns_of_books_number);
     int depth = 0;
 
     put_printed(&w);
@@ -678,8 +467,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         put_sign(&w, at);
         c = (unsigned char)w.text[at];
         if (isgraph(c)) {
-            put_phrase(&w, printed, turns, at);
-            put_phrase(&w, phrases, pages, at);
+            put_phrase(&w, printed, turns_of_books, at);
+            put_phrase(&w, phrases, turns_of_pages, at);
         }
         at++;
         while (isalnum(c) && at < size && isalnum((unsigned char)w.text[at]))
