@@ -435,8 +435,9 @@ static enum rows_before rows_before(const struct stmt *cast_on, const struct row
 
 static bool run_cast_on(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
-    enum rows_before before = rows_before(stmt, body->rows);
+    enum rows_before before = body->misplaced ? ROWS_MISPLACED : body->cast_on ? ROWS_PIECE : rows_before(stmt, body->rows);
 
+    body->misplaced = before == ROWS_MISPLACED;
     if (!body->top || body->cast_on || before == ROWS_MISPLACED) {
         diag_error(eval->diag, CODE_CAST_ON, stmt->span,
                    !body->top      ? "a motif is not cast on; its width is its multiple's"

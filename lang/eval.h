@@ -199,6 +199,7 @@ struct body {
     bool               top;             /* rows of the file itself: cast on is allowed */
     long long          cast_on;         /* 0: none */
     struct span        cast_on_span;
+    bool               misplaced;       /* one stood behind rows */
     struct multiple    multiple;
     int                in_pattern;      /* the last row `in pattern`; 0: none */
     int                period;          /* the rows before it, and before those in pattern right before it */

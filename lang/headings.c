@@ -76,8 +76,10 @@ enum heading headings_find(const char *text, size_t *length)
     enum heading kind = words > pattern ? HEADING_TEXT : pattern ? HEADING_PATTERN : HEADING_NONE;
     const char *behind = text + (words > pattern ? words : pattern), *mark;
 
+    if (!kind)
+        return HEADING_NONE;
     behind += bold(behind);
-    mark = kind ? skip_mark(behind, kind == HEADING_TEXT) : NULL;
+    mark = skip_mark(behind, kind == HEADING_TEXT);
     *length = (size_t)((mark ? words_skip_blanks(mark + bold(mark)) : behind) - text);
 
     /* On a line of its own `gauge`, say, may also open a block. */

@@ -209,10 +209,8 @@ static bool is_statement(const char *text)
         const char *word, *marks;   /* one of which its line has */
     } statements[] = {{"let", "="}, {"param", "="}, {"motif", "{="}, {"swatch", "?"}, {"if", "{"}, {"for", "{"}, {"stitch", "{"},
                       {"gauge", "{"}, {"material", "{"}, {"springs", "{"}, {"mesh", "{"}, {"solve", "{"}, {"output", "{"}};
-    size_t line = words_line_length(text);
-
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
-        if (words_is_name(text, statements[i].word) && strcspn(text, statements[i].marks) < line)
+        if (words_is_name(text, statements[i].word) && words_line_has_sign(text, statements[i].marks))
             return true;
     return false;
 }
@@ -270,7 +268,7 @@ static size_t table_length(const char *text)
 {
     size_t first = strspn(text, "| \t"), bar = first + strcspn(text + first, "|\r\n"), next, line = words_line_length(text);
 
-    bool numbers = strcspn(text, "0123456789") < line;
+    bool numbers = words_line_has_sign(text, "0123456789");
 
     next = bar + strspn(text + bar, "| \t");
     if (text[bar] != '|' || bar == first || !isalpha((unsigned char)text[first]) ||

@@ -352,9 +352,15 @@ static const char marks[] = "-`\\~[<*_\"{}";
 
 static void put_marks(char *text, size_t size)
 {
+    struct words_line line = {0};
     int depth = 0;
 
     for (size_t at = 0; (at += strcspn(text + at, marks)) < size; at++) {
+        if (words_line_is_long(&line, text, at)) {
+            depth = words_depth(text + at, line.end - at, depth);
+            at = line.end;
+            continue;
+        }
         depth += text[at] == '{' ? 1 : text[at] == '}' && depth > 0 ? -1 : 0;
         if (text[at] == '"')
             at = words_skip_quoted(text, at) - 1;

@@ -111,17 +111,22 @@ struct nearest nearest_to(const char *word)
 
 void nearest_offer(struct nearest *nearest, const char *candidate)
 {
-    size_t length = strnlen(nearest->word, LONGEST);
-    int d = distance(nearest->word, candidate);
+    size_t length = strnlen(nearest->word, LONGEST), other = strnlen(candidate, LONGEST);
+    bool begins = length > 2 && strncasecmp(nearest->word, candidate, length) == 0;
+    int d;
 
+    /* So many letters more or less are as far. */
+    if (!begins && (int)(length > other ? length - other : other - length) >= nearest->distance)
+        return;
+    d = distance(nearest->word, candidate);
     if (nearest->turned && d && !is_turned(nearest->word, candidate))
         return;
 
     /* The beginning of a longer name is near. */
-    if (length > 2 && strncasecmp(nearest->word, candidate, length) == 0 && d > 1)
+    if (begins && d > 1)
         d = 1;
 
-    if (d < nearest->distance && d < (int)strnlen(candidate, LONGEST)) {
+    if (d < nearest->distance && d < (int)other) {
         nearest->distance = d;
         nearest->best = candidate;
     }

@@ -346,8 +346,8 @@ void outputs_statement(struct eval *eval, struct outputs *outputs, const struct 
 {
     struct span span = stmt->output.path_span;
     const char *kind = stmt->output.kind.name;
-    struct output output = {.line = diag_place(stmt->span).line,
-                            .path = fill_in(eval, stmt->output.path, span)};
+    struct output output = {.path = fill_in(eval, stmt->output.path, span)};
+    int before = outputs->n;
 
     set_defaults(&output);
     if (!output.path)
@@ -361,6 +361,8 @@ void outputs_statement(struct eval *eval, struct outputs *outputs, const struct 
         return;
     if (read_pairs(eval, stmt->output.pair, &output, outputs->sweep))
         add(eval, outputs, span, output);
+    if (outputs->n > before)
+        outputs->output[before].line = diag_place(stmt->span).line;
 }
 
 /* PATH or KIND:PATH; a colon behind something that is no word is part of the path. */

@@ -6,6 +6,7 @@
 
 #include "lang/ast.h"
 #include "lang/names.h"
+#include "lang/words.h"
 
 struct parse {
     struct arena        *arena;
@@ -17,6 +18,8 @@ struct parse {
     struct expr         *expression;    /* or the value of an option */
     struct scanner      *scanner;
     bool                 joined;        /* in the round: what is called a row is one */
+    struct words_line    line;          /* of the source that an error was in last */
+    struct span          knitted;       /* a part of it without a word that cannot be knitted */
     bool                 too_deep;      /* an expression was: it is said once */
 };
 

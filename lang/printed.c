@@ -58,9 +58,13 @@ static bool is_bold(const char *text, size_t at)
 static size_t note_length(const char *text)
 {
     static const char *const word[] = {"illustration", "pg", "page", "footnote", "transcriber"};
-    size_t close = strcspn(text, "]={}");
+    size_t close = 1;
 
-    if (words_find(text + 1, word, sizeof word / sizeof *word) < 0 || text[close] != ']' || close > MARKED)
+    if (words_find(text + 1, word, sizeof word / sizeof *word) < 0)
+        return 0;
+    while (close < MARKED && text[close] && !strchr("]={}", text[close]))
+        close++;
+    if (text[close] != ']')
         return 0;
     return words_length(text + 1) > 4 || isdigit((unsigned char)text[1 + words_length(text + 1) + 1]) ? close + 1 : 0;
 }

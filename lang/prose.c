@@ -14,19 +14,19 @@
 #include "lang/typos.h"
 #include "lang/words.h"
 
-enum { TITLE_LINES = 3, TITLE_WORDS = 10, SENTENCE = 6, LONG_SENTENCE = 8, SHORT_SENTENCE = 2, LONGEST = 4000 };
+enum { TITLE_LINES = 3, TITLE_WORDS = 10, SENTENCE = 6, LONG_SENTENCE = 8, SHORT_SENTENCE = 2 };
 
 /* The next line that is not empty. */
 static const char *next_line(const char *text)
 {
-    text += words_line_length(text);
+    text += words_line_within(text, WORDS_LINE);
     return text + strspn(text, " \t\f\v\r\n");
 }
 
 /* Whether one of the characters stands on the line. */
 static bool line_has(const char *text, const char *characters)
 {
-    size_t n = words_line_length(text);
+    size_t n = words_line_within(text, WORDS_LINE);
 
     /* `**` makes letters bold. */
     for (size_t i = 0; i < n; i++)
@@ -71,7 +71,11 @@ static bool no_body(const char *text)
 
 static bool no_loop(const char *text)
 {
-    return !opens_block(text) && !line_has(text, "[]=") && !strstr(text, "..");
+    const char *dots = strpbrk(text, "\r\n.");
+
+    while (dots && *dots == '.' && dots[1] != '.')
+        dots = strpbrk(dots + 1, "\r\n.");
+    return !opens_block(text) && !line_has(text, "[]=") && !(dots && *dots == '.');
 }
 
 static bool no_file(const char *text)
@@ -229,11 +233,11 @@ static bool is_repeat_until(const char *text)
 static bool has_file_name(const char *text)
 {
     for (size_t n = words_line_length(text), i = 0; i < n; i++) {
-        size_t length = strcspn(text + i + 1, "\"\r\n");
+        size_t length = text[i] == '"' ? strcspn(text + i + 1, "\"\r\n") : 0;
 
         if (text[i] != '"' || (i > 0 && isdigit((unsigned char)text[i - 1])))
             continue;
-        if (text[i + 1 + length] != '"' || !isupper((unsigned char)text[i + 1]) || strcspn(text + i + 1, "./") < length)
+        if (text[i + 1 + length] != '"' || !isupper((unsigned char)text[i + 1]) || memchr(text + i + 1, '.', length) || memchr(text + i + 1, '/', length))
             return true;
         i += length + 1;
     }
@@ -243,7 +247,7 @@ static bool has_file_name(const char *text)
 bool prose_reads(const char *text, bool loose)
 {
     text += *text == '(' && isupper((unsigned char)text[1]) && count_words(text) >= SENTENCE;
-    if (words_line_length(text) > LONGEST || line_has(text, "{}") || is_mistyped(text) || is_repeat_until(text))
+    if (words_line_within(text, WORDS_LINE + 1) > WORDS_LINE || line_has(text, "{}") || is_mistyped(text) || is_repeat_until(text))
         return false;
     if (loose || is_long_sentence(text))
         return true;
@@ -310,7 +314,9 @@ bool prose_is_title(const char *text)
 /* Where one of the words stands on the line; or 0. */
 static size_t find_word(const char *text, const char *const *word, int n)
 {
-    for (size_t at = 1; at < words_line_length(text); at++)
+    size_t line = words_line_length(text);
+
+    for (size_t at = 1; at < line; at++)
         if (!isalnum((unsigned char)text[at - 1]) && words_find(text + at, word, n) >= 0)
             return at;
     return words_find(text, word, n) >= 0 ? 1 : 0;
@@ -471,6 +477,7 @@ bool scanner_prose(struct scanner *scanner)
     bool again = scanner->at < scanner->prose_end;
     int lines;
 
+    scanner_looks_on(scanner);
     if (again && !prose_reads(text, false))
         return false;
     if (!again && scanner->section && prose_reads(text, true) && !syntax_is_row(text)) {

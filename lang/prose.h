@@ -22,6 +22,8 @@ bool prose_fabric_follows(const char *text);        /* "garter st", "k2, p2 rib"
 bool prose_has_cast_on(const char *text);           /* "20 sts": so many stitches come next */
 bool prose_stitches_follow(const char *text);       /* a row's text, of a list that numbers its rows */
 bool prose_repeat_follows(const char *text);        /* "rep", "repeat" */
+size_t prose_names_pattern(const char *text);       /* "work panel A over 12 sts": its bytes, no more than of a name; or 0 */
+size_t prose_bracket_length(const char *text);      /* "(see below)": its bytes, where it is closed near by; or 0 */
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */
 bool prose_comma_is_idle(const char *text);         /* "3 times", "or until .." behind it */

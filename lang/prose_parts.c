@@ -3,6 +3,7 @@
 #include "lang/prose.h"
 
 #include "lang/lengths.h"
+#include "lang/limits.h"
 #include "lang/syntax.h"
 #include "lang/words.h"
 
@@ -15,9 +16,7 @@ bool prose_line_ends(const char *text)
 
 bool prose_names_row(const char *text)
 {
-    size_t n = strcspn(text, ":\r\n");
-
-    for (size_t i = 0; i < n; i += words_length(text + i) + 1)
+    for (size_t i = 0; i < WORDS_REACH && text[i] && !strchr(":\r\n", text[i]); i += words_length(text + i) + (words_length(text + i) == 0))
         if (words_are_rows(text + i))
             return true;
     return false;
@@ -117,7 +116,7 @@ size_t prose_rows_within(const char *text)
 
 size_t prose_row_count(const char *sentence)
 {
-    for (size_t i = 1; sentence[i]; i++) {
+    for (size_t i = 1; sentence[0] && sentence[i] && !words_ends_line(sentence[i]); i++) {
         const char *behind = isspace((unsigned char)sentence[i - 1]) ? words_behind_number(sentence + i) : NULL;
 
         if (behind && words_is(behind, "more"))
@@ -282,6 +281,32 @@ bool prose_is_remark(const char *text)
     for (; isalnum((unsigned char)text[n]) || strchr(" ,-!'", text[n] ? text[n] : '.'); n += words_length(text + n) ? words_length(text + n) : 1)
         longest = words_length(text + n) > longest ? words_length(text + n) : longest;
     return *text == '(' && longest > 2 && text[n] == ')' && *words_skip_blanks(text + n + 1) == ':';
+}
+
+size_t prose_names_pattern(const char *text)
+{
+    static const char *const words[] = {"pattern", "patt", "chart", "motif", "panel"};
+    size_t lead = words_length(text), end = lead, named = 0;
+
+    while (end < WORDS_REACH && text[end] && !strchr("\r\n.,;(){}[]*", text[end]))
+        end++;
+    for (size_t at = lead + 1; at < end && named < end; at++)
+        for (int i = 0; i < 5 && isspace((unsigned char)text[at - 1]) && !isspace((unsigned char)text[at]); i++) {
+            size_t behind = at + strlen(words[i]);
+
+            if (strncasecmp(text + at, words[i], strlen(words[i])) == 0)
+                named = behind < end && isspace((unsigned char)text[behind]) ? end : named > behind ? named : behind;
+        }
+    return named > LIMIT_NAME ? LIMIT_NAME : named;
+}
+
+size_t prose_bracket_length(const char *text)
+{
+    size_t n = 1;
+
+    while (n < WORDS_REACH && text[n] && !strchr(")\r\n", text[n]))
+        n++;
+    return text[n] == ')' ? n + 1 : 0;
 }
 
 /* Behind the numbers and the side of a row's head; or NULL. */

@@ -105,6 +105,12 @@ static bool matches(const char *pattern, const char *word)
     return !*word;
 }
 
+/* Whether a word's first letter is a pattern's. */
+static bool may_match(const char *pattern, const char *word)
+{
+    return !isalpha((unsigned char)*pattern) || tolower((unsigned char)*word) == *pattern;
+}
+
 /* The words from the span on that a phrase has, in small letters and with one blank between; "" where it has one word. */
 static struct span phrase_at(const char *pattern, struct span span, char copy[LONGEST])
 {
@@ -177,8 +183,11 @@ bool refused_word(struct diag *diag, const char *word, struct span span)
     /* Phrases of several words come first: "yarn over" is no yarn. */
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
         for (int j = 0; j < WORDS && refused[i].word[j]; j++) {
-            struct span phrase = phrase_at(refused[i].word[j], span, copy);
+            struct span phrase = span;
 
+            if (!may_match(refused[i].word[j], span.source->text + span.start))
+                continue;
+            phrase = phrase_at(refused[i].word[j], span, copy);
             if (!*copy || !phrase_matches(refused[i].word[j], copy))
                 continue;
             report(diag, copy, phrase, refused[i].reason, refused[i].what);
@@ -190,7 +199,7 @@ bool refused_word(struct diag *diag, const char *word, struct span span)
     }
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
         for (int j = 0; j < WORDS && refused[i].word[j]; j++) {
-            if (!matches(refused[i].word[j], word))
+            if (!may_match(refused[i].word[j], word) || !matches(refused[i].word[j], word))
                 continue;
             report(diag, word, span, refused[i].reason, refused[i].what);
             return true;

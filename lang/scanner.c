@@ -17,14 +17,33 @@ void scanner_advance(struct scanner *scanner, struct span *span, size_t length)
 
 bool scanner_gives_up(struct scanner *scanner, struct span span)
 {
+    size_t most = LIMIT_AGAIN * scanner->parse->source->size + LIMIT_LINE;
+
     scanner->quiet |= diag_is_full(scanner->parse->diag, span);
-    return scanner->parse->diag->full;
+    if (scanner->again <= most || scanner->parse->diag->full)
+        return scanner->parse->diag->full;
+    if (!scanner->quiet)
+        diag_error(scanner->parse->diag, CODE_LIMIT_LINE, span, "too many sentences or rows stand on lines such as this one: it is read no further");
+    scanner->quiet = true;
+    return true;
 }
 
-void scanner_retreat(struct scanner *scanner, struct span *span, size_t length)
+void scanner_retreat(struct scanner *scanner, struct span *span, int length)
 {
     span->end -= (unsigned)length;
     scanner->at = span->end;
+    scanner->again += length > 0 ? (size_t)length : 0;
+}
+
+void scanner_looks(struct scanner *scanner, size_t length)
+{
+    scanner->again += length;
+}
+
+void scanner_looks_on(struct scanner *scanner)
+{
+    words_line_is_long(&scanner->line, scanner->parse->text, scanner->at);
+    scanner_looks(scanner, scanner->line.end > scanner->at ? scanner->line.end - scanner->at : 0);
 }
 
 int scanner_token(struct scanner *scanner, int kind)

@@ -7,6 +7,7 @@
 #include "lang/limits.h"
 #include "lang/parse.h"
 #include "lang/parser.h"
+#include "lang/words.h"
 
 enum bracket {
     BRACKET_ROUND,
@@ -27,6 +28,8 @@ struct open {
 struct scanner {
     struct parse *parse;
     unsigned      at;               /* bytes read */
+    size_t        again;            /* and bytes read again, as they were given back or looked through */
+    struct words_line line;         /* that is read */
     int           start;            /* the token that comes before all others */
     int           statement;        /* the token that began this statement */
     int           previous;         /* the token before this one */
@@ -41,6 +44,7 @@ struct scanner {
     bool          hole;             /* the bracket closed last was a number's */
     bool          stops;            /* a full stop stood between stitches of this row */
     int           titles;           /* lines of prose before the first statement */
+    unsigned      tight;            /* where stitches without a blank between them end */
     unsigned      prose_end;        /* lines before this were called prose */
     bool          quiet;            /* an unclosed bracket was reported: no more about it */
     bool          gauge_read;
@@ -62,7 +66,11 @@ void scanner_tokens(struct scanner *, void (*take)(void *context, int kind, stru
 bool scanner_gives_up(struct scanner *, struct span);
 
 void scanner_advance(struct scanner *, struct span *, size_t length);
-void scanner_retreat(struct scanner *, struct span *, size_t length);
+void scanner_retreat(struct scanner *, struct span *, int length);
+
+/* So many bytes are looked through for what begins here; the rest of the line is. */
+void scanner_looks(struct scanner *, size_t length);
+void scanner_looks_on(struct scanner *);
 
 /* Each returns the token. */
 int scanner_token(struct scanner *, int kind);

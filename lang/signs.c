@@ -10,11 +10,8 @@
 #include <string.h>
 #include <strings.h>
 
-#include "lang/printed_parts.h"
 #include "lang/prose.h"
 #include "lang/words.h"
-
-enum { SIGNS_LOOK_BACK = 2000 };    /* bytes before a sign in which its line is looked for */
 
 /* ---- numbers in letters ---- */
 
@@ -147,9 +144,8 @@ static size_t caption_length(const char *text, char plain[static SIGNS_PLAIN])
 static bool in_row(const char *text, size_t at)
 {
     static const char *const sides[] = {"rs", "ws", "next", "set"};
-    size_t line = at, number;
+    size_t line = words_line_start(text, at), number;
 
-    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     line += strspn(text + line, " \t-*+>|_(");
     number = line + strspn(text + line, "0123456789");
     return line < at && ((number > line && strchr(".:)|/(- ", text[number + (text[number] == ' ')])) || words_are_rows(text + line) || words_find(text + line, sides, 4) >= 0 ||
@@ -220,13 +216,13 @@ static size_t said_length(const char *text, size_t at, char plain[static SIGNS_P
 /* The bar that ends a line of a table, with a number behind it where it is no row's. */
 static size_t last_bar_length(const char *text, size_t at)
 {
-    size_t line = at, end = at + 1 + strspn(text + at + 1, " \t0123456789");
+    size_t line, end = at + 1 + strspn(text + at + 1, " \t0123456789");
 
     end += text[end] == '|';
     end += strspn(text + end, " \t");
     if (text[end] && !strchr("\r\n", text[end]))
         return 0;
-    line = print_line_within(text, at, SIGNS_LOOK_BACK);
+    line = words_line_start(text, at);
     return in_row(text, at) || prose_statement_follows(text + line + strspn(text + line, " \t|")) ? end - at : 0;
 }
 
@@ -313,7 +309,7 @@ static size_t aside_length(const char *text, size_t at)
 
     if (!n || at == 0 || text[at - 1] != ' ' || words_line_has(text + at, "rep") || words_line_has(text + at, "repeat") || !in_row(text, at))
         return 0;
-    return strcspn(text + at, "0123456789*()[]") < words_line_length(text + at) ? 0 : words_line_length(text + at);
+    return words_line_has_sign(text + at, "0123456789*()[]") ? 0 : words_line_length(text + at);
 }
 
 /* The dots of `K2, P2 ... end K2`. */
@@ -392,9 +388,8 @@ static size_t other_counts_length(const char *text, size_t at)
 /* A bar of `| 1 | RS | k2, p2`: only numbers and sides stand before it on the line. */
 static bool is_table_bar(const char *text, size_t at)
 {
-    size_t line = at;
+    size_t line = words_line_start(text, at);
 
-    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     while (strchr(" \t", text[line]) && text[line])
         line++;
     if (!isdigit((unsigned char)text[line + strspn(text + line, "| \t")]))
@@ -409,9 +404,8 @@ static bool is_table_bar(const char *text, size_t at)
 static bool in_expression(const char *text, size_t at)
 {
     static const char *const words[] = {"let", "param", "sweep", "for", "if", "swatch", "motif", "output"};
-    size_t line = at;
+    size_t line = words_line_start(text, at);
 
-    line = print_line_within(text, at, SIGNS_LOOK_BACK);
     return memchr(text + line, '=', at - line) || words_find(text + line + strspn(text + line, " \t"), words, sizeof words / sizeof *words) >= 0;
 }
 
@@ -432,12 +426,12 @@ static bool row_begins(const char *text, size_t at)
     static const char *const rows[] = {"row", "rows", "round", "rounds", "rnd", "rnds"},
                              *const leads[] = {"repeat", "rep", "as", "and", "work", "to", "from", "of", "in", "on", "by", "through",
                                                "the", "last", "like", "then", "next", "rs", "ws", "with", "until", "pattern", "all", "every", "each"};
-    size_t word = at + 1 + words_length(text + at + 1), number = word + (text[word] == ' '), end = number, line = at, before;
+    size_t word = at + 1 + words_length(text + at + 1), number = word + (text[word] == ' '), end = number, line, before;
 
     if (words_find(text + at + 1, rows, 6) < 0 || number == word)
         return false;
     end += strspn(text + end, "0123456789");
-    line = print_line_within(text, at, SIGNS_LOOK_BACK);
+    line = words_line_start(text, at);
     for (before = at; before > line && isalpha((unsigned char)text[before - 1]);)
         before--;
     if (end == number || at == line || !(text[end] == ':' || strncmp(text + end, " (RS):", 6) == 0 || strncmp(text + end, " (WS):", 6) == 0) || !(isalnum((unsigned char)text[at - 1]) || text[at - 1] == ')'))
@@ -540,16 +534,16 @@ static size_t listed_length(const char *text, size_t at)
 static bool begins_repeat(const char *text, size_t at)
 {
     static const char *const ends[] = {"until", "till", "repeat", "rep"};
-    size_t line = at, end = words_line_length(text + at);
+    size_t end;
     const char *behind = words_skip_blanks(text + at + 4);
     bool ended = false;
 
     if (!words_is(text + at, "then") || !in_row(text, at) || !prose_stitches_follow(behind) || !isdigit((unsigned char)behind[1]))
         return false;
-    line = print_line_within(text, at, SIGNS_LOOK_BACK);
+    end = words_line_length(text + at);
     for (size_t i = 0; i < end; i += words_length(text + at + i) + 1)
         ended |= words_find(text + at + i, ends, 4) >= 0 || (words_is(text + at + i, "to") && words_line_has(text + at + i, "last"));
-    return ended && strcspn(text + line, "*([{") >= at - line + end;
+    return ended && !words_line_has_sign(text + words_line_start(text, at), "*([{");
 }
 
 /* `[RS]`, `RS -` at the beginning of a line, before stitches: its bytes, and `RS:`. */

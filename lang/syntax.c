@@ -11,6 +11,7 @@
 #include "lang/refused.h"
 #include "lang/scanner.h"
 #include "lang/typos.h"
+#include "lang/words.h"
 
 enum { LIMIT_REFUSED = 1000 };      /* bytes of a row that are looked at for it */
 
@@ -110,7 +111,11 @@ const char *syntax_meant(struct parse *parse, struct span span)
 static bool refused_row(struct parse *parse, struct span span)
 {
     int statement = parse->scanner->statement;
-    struct span line = diag_line_around(span);
+    struct span line = {span.source, 0, 0};
+
+    words_line_is_long(&parse->line, span.source->text, span.start);
+    line.start = (unsigned)parse->line.start;
+    line.end = (unsigned)parse->line.end;
 
     /* `Knit 3 rows, increasing 2 sts`: what stands behind. */
     if ((statement == TOKEN_PLAIN_ROWS || statement == TOKEN_WORK || statement == TOKEN_GO_ON_ROWS) && span.source->text[span.start] == ',')
@@ -118,7 +123,14 @@ static bool refused_row(struct parse *parse, struct span span)
     else if (statement != TOKEN_ROW && statement != TOKEN_ALL && statement != TOKEN_SETUP && statement != TOKEN_AS_ROW)
         return false;
     line.end = line.end > line.start + LIMIT_REFUSED ? line.start + LIMIT_REFUSED : line.end;
-    return refused_text(parse->diag, line);
+    if (line.start >= parse->knitted.start && line.start < parse->knitted.end)
+        line.start = parse->knitted.end;
+    if (line.start >= line.end)
+        return false;
+    if (refused_text(parse->diag, line))
+        return true;
+    parse->knitted = line;
+    return false;
 }
 
 static void star_is_left(struct parse *parse, struct span span)

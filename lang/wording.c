@@ -144,6 +144,7 @@ struct wording {
     bool copied;
     size_t sizes;       /* where the cast-on names further sizes, nsizes of them; 0: none */
     int nsizes;
+    size_t blank, behind_blank; /* a part of the text without a sign */
 };
 
 static char *own_text(struct wording *w)
@@ -168,14 +169,6 @@ static void put_phrase(struct wording *w, struct phrases *phrases, const struct 
         if (changes(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
             return;
     }
-}
-
-/* Behind a text in quotes that begins here; inches are none. */
-static size_t skip_quoted(const char *text, size_t at)
-{
-    size_t length = strcspn(text + at + 1, "\"\r\n");
-
-    return (at > 0 && isdigit((unsigned char)text[at - 1])) || text[at + 1 + length] != '"' ? at + 1 : at + length + 2;
 }
 
 /* Puts blanks for so many bytes, but for line ends where nothing plain stands for them. */
@@ -205,13 +198,23 @@ static void put_printed(struct wording *w)
 {
     char plain[PRINTED_PLAIN];
     const char *marked = w->text;
+    struct words_line line = {0};
 
     for (size_t at = strcspn(marked, "_=[\""), next; at < w->size; at = next + strcspn(marked + next, "_=[\"")) {
-        next = marked[at] == '"' ? skip_quoted(marked, at) : at + 1;
+        if (words_line_is_long(&line, marked, at)) {
+            next = line.end;
+            continue;
+        }
+        next = marked[at] == '"' ? words_skip_quoted(marked, at) : at + 1;
         if (printed_mark(marked, at))
             put_blanks(w, at, printed_mark(marked, at), "");
     }
-    for (size_t at = 0, length; at < w->size; at = w->text[at] == '"' ? skip_quoted(w->text, at) : at + 1) {
+    line = (struct words_line){0};
+    for (size_t at = 0, length; at < w->size; at = w->text[at] == '"' ? words_skip_quoted(w->text, at) : at + 1) {
+        if (words_line_is_long(&line, w->text, at)) {
+            at = line.end;
+            continue;
+        }
         length = stitches_length(w->text + at);
         at += length > FEW ? length : 0;
         length = printed_length(w->text, at, plain);
@@ -241,11 +244,15 @@ static void put_rib(struct wording *w, size_t at, size_t length)
 /* ---- signs ---- */
 
 /* Whether the line above ends within an expression. */
-static bool goes_on(const char *text, size_t at)
+static bool goes_on(struct wording *w, size_t line)
 {
-    while (at > 0 && strchr(" \t\r\n", text[at - 1]))
-        at--;
-    return at > 0 && strchr(",[(=", text[at - 1]);
+    size_t at = line;
+
+    while (at > 0 && strchr(" \t\r\n", w->text[at - 1]))
+        at = at == w->behind_blank ? w->blank : at - 1;
+    w->blank = at;
+    w->behind_blank = at < line ? line : 0;
+    return at > 0 && strchr(",[(=", w->text[at - 1]);
 }
 
 /* Puts blanks for what stands before a part of the pattern, at a line's beginning. */
@@ -427,6 +434,7 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
 {
     struct wording w = {.arena = arena, .text = text, .size = size};
     struct phrases *phrases = phrases_read(arena, turns_of_pages, turns_of_pages_number), *printed = phrases_read(arena, turns_of_books, turns_of_books_number);
+    struct words_line line = {0};
     int depth = 0;
 
     put_printed(&w);
@@ -436,6 +444,11 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
     for (size_t at = 0; at < size;) {
         unsigned char c = (unsigned char)w.text[at];
 
+        if (words_line_is_long(&line, w.text, at)) {
+            depth = words_depth(w.text + at, line.end - at, depth);
+            at = line.end;
+            continue;
+        }
         if (c == '"') {
             at = words_skip_quoted(w.text, at);
             continue;
@@ -449,7 +462,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
         if (at == 0 || strchr("\r\n", w.text[at - 1])) {
             size_t mark = at + strspn(w.text + at, " \t-");
 
-            put_head(&w, mark, depth > 0 || goes_on(w.text, at));
+            if (mark < size && !words_ends_line(w.text[mark]))
+                put_head(&w, mark, depth > 0 || goes_on(&w, at));
             if (mark > at && w.text[mark - 1] == '-' && prose_statement_follows(w.text + mark))
                 memset(own_text(&w) + at, ' ', mark - at);
         }

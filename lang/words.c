@@ -26,9 +26,24 @@ const char *words_behind_number(const char *text)
     return words_find(text, word, sizeof word / sizeof *word) >= 0 ? words_skip_blanks(text + words_length(text)) : NULL;
 }
 
+bool words_line_is_long(struct words_line *line, const char *text, size_t at)
+{
+    if (at < line->start || at >= line->end)
+        *line = (struct words_line){words_line_start(text, at), at + words_line_length(text + at)};
+    return line->end - line->start > WORDS_LINE && at < line->end;
+}
+
+int words_depth(const char *text, size_t length, int depth)
+{
+    for (size_t i = 0; i < length; i++)
+        depth += text[i] == '{' ? 1 : text[i] == '}' && depth > 0 ? -1 : 0;
+    return depth;
+}
+
 size_t words_skip_quoted(const char *text, size_t at)
 {
-    size_t length = strcspn(text + at + 1, "\"\r\n");
+    bool inches = at > 0 && isdigit((unsigned char)text[at - 1]);
+    size_t length = inches ? 0 : strcspn(text + at + 1, "\"\r\n");
 
-    return (at > 0 && isdigit((unsigned char)text[at - 1])) || text[at + 1 + length] != '"' ? at + 1 : at + length + 2;
+    return inches || text[at + 1 + length] != '"' ? at + 1 : at + length + 2;
 }

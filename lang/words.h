@@ -79,22 +79,72 @@ static inline bool words_is_name(const char *text, const char *name)
     return strlen(name) == length && strncasecmp(text, name, length) == 0;
 }
 
-/* ---- on the rest of a line ---- */
+/* ---- on a line ---- */
+
+enum {
+    WORDS_LINE = 4000,      /* bytes of the longest line of a page; one beyond it was written by a program */
+    WORDS_REACH = 1000      /* how far it is looked for a word that changes what stands before it */
+};
+
+static inline bool words_ends_line(char c)
+{
+    return c == '\n' || c == '\r';
+}
 
 static inline size_t words_line_length(const char *text)
 {
     return strcspn(text, "\r\n");
 }
 
-static inline bool words_line_has(const char *text, const char *word)
+/* The same, or `most`. */
+static inline size_t words_line_within(const char *text, size_t most)
 {
-    size_t n = words_line_length(text);
+    size_t n = 0;
 
-    for (size_t i = 0; i < n; i += words_length(text + i) + 1)
-        if (words_is(text + i, word))
+    while (n < most && text[n] && !words_ends_line(text[n]))
+        n++;
+    return n;
+}
+
+/* Whether one of the signs stands on it. */
+static inline bool words_line_has_sign(const char *text, const char *signs)
+{
+    size_t line = words_line_length(text);
+
+    for (size_t i = 0; i < line; i++)
+        if (strchr(signs, text[i]))
             return true;
     return false;
 }
+
+/* Where the line begins that a place is on. */
+static inline size_t words_line_start(const char *text, size_t at)
+{
+    while (at > 0 && !words_ends_line(text[at - 1]))
+        at--;
+    return at;
+}
+
+static inline bool words_line_has(const char *text, const char *word)
+{
+    size_t n = words_line_within(text, WORDS_REACH);
+
+    for (size_t i = 0; i < n; i += words_length(text + i) + 1)
+        if ((text[i] | 0x20) == *word && words_is(text + i, word))
+            return true;
+    return false;
+}
+
+/* A line that a text is read through by. */
+struct words_line {
+    size_t start, end;
+};
+
+/* Whether a place is on a line longer than those of pages: what these may say is not looked for there. */
+bool words_line_is_long(struct words_line *, const char *text, size_t at);
+
+/* How many braces are open behind so many bytes, of `depth` before them. */
+int words_depth(const char *text, size_t length, int depth);
 
 /* ---- what they mean ---- */
 
