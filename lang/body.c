@@ -385,6 +385,10 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     rows_work(body->rows);
     if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
         return false;
+    if (again->which == AGAIN_GO_ON && again->kind == AGAIN_PATTERN && !rows_pattern(body->rows, true).n) {
+        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how long the pattern goes on is not said: no row more");
+        return true;
+    }
     if (!find_rows(eval, where, stmt, again, body, &texts))
         return false;
     rows_both_sides(body->rows, texts);

@@ -8,6 +8,7 @@
 #include "lang/compile.h"
 #include "lang/limits.h"
 #include "lang/marks.h"
+#include "lang/named.h"
 #include "lang/scanner.h"
 #include "lang/wording.h"
 #include "lang/words.h"
@@ -238,7 +239,7 @@ const char *source_plain(struct arena *arena, const struct source *source)
         at += strlen(spelling->text) - 1;
         text[at] = spelling->plain;
     }
-    return wording_plain(arena, marks_plain(arena, text ? text : source->text, source->size), source->size);
+    return wording_plain(arena, named_plain(arena, marks_plain(arena, text ? text : source->text, source->size), source->size), source->size);
 }
 
 struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names,

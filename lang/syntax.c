@@ -558,9 +558,5 @@ struct stmt *syntax_goes_on(struct parse *parse, struct span span, struct measur
     struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure.rows), measure.part});
 
     again.which = AGAIN_GO_ON;
-    if (measure.rows)
-        return stmt_again(parse, span, again);
-    diag_warning(parse->diag, CODE_REPEAT_NO_COUNT, span, "how long the pattern goes on is not said: no row more");
-    diag_hint(parse->diag, "`repeat rows 1-4 5 times`, or `repeat rows 1-4 until piece has 40 rows`");
-    return ast_stmt(parse, STMT_PROSE, span);
+    return stmt_again(parse, span, again);
 }
