@@ -2,6 +2,8 @@
  * A bracket in, what it opens or closes where it stands out. */
 #include "lang/scanner.h"
 
+#include <string.h>
+
 static bool is_in_line(enum bracket kind)
 {
     return kind == BRACKET_ROUND || kind == BRACKET_SQUARE || kind == BRACKET_HOLE;
@@ -46,6 +48,9 @@ enum bracket scanner_open(struct scanner *scanner, struct span span, char c, int
                         : c == '[' ? BRACKET_SQUARE
                                    : brace_of(scanner, in_expression);
 
+    /* Its other half was looked for. */
+    if (c == '(')
+        scanner_looks(scanner, strcspn(SCANNER_TEXT(scanner), ")\r\n"));
     if (scanner->nopen == LIMIT_NESTING) {
         if (!scanner->quiet)
             diag_error(scanner->parse->diag, CODE_LIMIT_NESTING, span,

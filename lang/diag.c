@@ -71,11 +71,11 @@ static void record(struct diag *diag, enum severity severity, enum diag_code cod
 {
     int *count = severity == SEVERITY_ERROR ? &diag->nerrors : &diag->nwarnings;
 
-    /* One mistake in a loop is one message, and past the limit only the number matters. */
+    /* One mistake in a loop is one message, and past the limit only the number matters; an error is never behind warnings. */
     diag->open = NULL;
     if (said_before(diag, code, span))
         return;
-    if (diag_takes_more(diag) || code == CODE_LIMIT_ERRORS)
+    if (diag_takes_more(diag) || code == CODE_LIMIT_ERRORS || (severity == SEVERITY_ERROR && diag->nerrors == 0))
         message_new(diag, severity, code, span)->text = arena_vprintf(diag->arena, format, arguments);
     ++*count;
 }

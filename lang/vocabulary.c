@@ -116,24 +116,26 @@ static void unknown(struct eval *eval, const struct module *module, const char *
         return;
     }
     if (refused_word(eval->diag, word, span)) {
-        eval->refused = diag_line_around(span);
+        eval->refused = told ? eval->refused : diag_line_around(span);
         return;
     }
 
     /* What else stands in a row that cannot be knitted goes with it. */
+    if (told && typos_is_word(word))
+        return;
     meant = meant_by(eval, module, &span, word, &of_rows);
     if (!told && is_scanned(word)) {
         diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
         diag_hint(eval->diag, "in a scanned text the letter l may stand for 1: '%c1'", *word);
         return;
     }
-    if (told && (!meant || typos_is_word(word)))
+    if (told && !meant)
         return;
     diag_error(eval->diag, CODE_STITCH, span, "'%.*s' is no stitch", (int)(span.end - span.start), span.source->text + span.start);
     diag_did_you_mean(eval->diag, meant);
     if (!meant)
         diag_hint(eval->diag, "stitches are k, p, and your own: `stitch T { kx = .. }`");
-    if (of_rows)
+    if (of_rows && !told)
         eval->refused = diag_line_around(span);
 }
 

@@ -15,8 +15,8 @@ tests_stress_test_known_CPPFLAGS = $(AM_CPPFLAGS) $(CMOCKA_CFLAGS)
 tests_stress_test_known_LDADD = libscenes.a libsolver.a $(LIBRARIES_OF_OTHERS) $(CMOCKA_LIBS)
 endif
 
-check_SCRIPTS += tests/stress/hostile.sh tests/stress/refused.sh
-EXTRA_DIST += tests/stress/hostile.sh tests/stress/refused.sh tests/stress/motifs.sh docs/stability.md
+check_SCRIPTS += tests/stress/hostile.sh tests/stress/lines.sh tests/stress/refused.sh
+EXTRA_DIST += tests/stress/hostile.sh tests/stress/lines.sh tests/stress/refused.sh tests/stress/motifs.sh docs/stability.md
 
 # Everything: the scenes, then the tables of docs/stability.md on standard output.
 stress: weft$(EXEEXT) tests/stress/sweep$(EXEEXT) tests/stress/test_rows$(EXEEXT) tests/stress/test_known$(EXEEXT)

@@ -1,0 +1,105 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Words of a pattern over and over, as no pattern has them: an answer or an error, and the time it takes grows with
+# the text's length, not with its square (measured: 0.1 s of processor each; with the square of it, many seconds).
+. "${WEFT_SOURCE:-.}/tests/tap.sh"
+
+cd "$work" || exit 1
+bytes=100000 seconds=2
+# The address sanitizer takes ten times as long.
+(ulimit -v 1500000; "$WEFT" version) >/dev/null 2>&1 || seconds=20
+
+# repeated FRAGMENT HOW: so many bytes of it.
+repeated() {
+    case $2 in
+        blanks) yes "$1 " | tr -d '\n' ;;
+        nothing) yes "$1" | tr -d '\n' ;;
+        commas) yes "$1, " | tr -d '\n' ;;
+        lines) yes "$1" ;;
+    esac | head -c $bytes
+}
+
+# takes WHAT COMMAND...: weft ends by itself within the processor time, with an answer or an error of the script.
+takes() {
+    what=$1
+    shift
+    status=0
+    (ulimit -t $seconds; exec "$WEFT" "$@") >out 2>&1 </dev/null || status=$?
+    case $1:$status in
+        *:0 | *:3 | fmt:1) return ;;
+    esac
+    echo "$what: weft $*: exit status $status: $(head -c 200 out)" >>wrong
+}
+
+# ---- words again and again, within a row and behind one ----
+
+while read -r fragment; do
+    : >wrong
+    for how in blanks nothing commas lines; do
+        { printf 'Cast on 4\nRow 1: '; repeated "$fragment" $how; echo; } >row.knit
+        takes "$how between" check -q row.knit
+    done
+    { printf 'Cast on 4\nRow 1: k4\n'; repeated "$fragment" blanks; echo; } >text.knit
+    takes 'behind a row' check -q text.knit
+    takes 'written again' fmt --check text.knit
+    empty "$fragment" wrong
+done <<'END'
+k2
+*k2*
+*
+**
+rep
+repeat until
+row 1:
+rows 1, 3, 5:
+Row 1 (RS): k2, p2.
+1st row
+first row
+for 8 in
+28 rows
+work
+work in
+cont in patt
+st st
+purl 2 rows
+cast on 4
+Cast on 4 st
+to last 2 sts
+the rest of the row
+how to knit it
+knit the knits
+same as
+swatch
+if
+for
+output "x"
+|k|
+1
+.
+;
+(edge
+"
+then
+END
+
+# ---- one long word ----
+
+# long NAME CHARACTER: as a name, a number, a gap in every register of the language.
+long() {
+    word=$(head -c 20000 /dev/zero | tr '\000' "$2")
+    : >wrong
+    for around in '@' 'Row 1: @' 'Row 1: k@' 'Row @: k4' 'Cast on @ sts' 'Cast on 4 sts@ and' 'Rep row @ times' 'let a = @' 'let @ = 1' '# @' 'use @ from std' \
+        'motif m { chart { @ } }' 'output "@.svg"' 'Materials: @' 'Row 1: *k2@ rep from *' 'Row 1: (k1@) twice' 'Work in@garter' 'for i in @ {' 'gauge { @ }'; do
+        printf 'Cast on 4\n%s\nRow 2: k4\n' "${around%@*}$word${around#*@}" >x.knit
+        takes "$around" check -q x.knit
+    done
+    empty "20,000 times $1" wrong
+}
+long 'a letter' x
+long 'a figure' 1
+long 'a blank' ' '
+long 'a star' '*'
+long 'a bracket' '('
+long 'an underscore' _
+
+finish
