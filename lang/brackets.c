@@ -49,7 +49,7 @@ enum bracket scanner_open(struct scanner *scanner, struct span span, char c, int
                                    : brace_of(scanner, in_expression);
 
     /* Its other half was looked for. */
-    if (c == '(')
+    if (c == '(' && !in_expression)
         scanner_looks(scanner, strcspn(SCANNER_TEXT(scanner), ")\r\n"));
     if (scanner->nopen == LIMIT_NESTING) {
         if (!scanner->quiet)
