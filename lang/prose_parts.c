@@ -116,7 +116,7 @@ size_t prose_rows_within(const char *text)
 
 size_t prose_row_count(const char *sentence)
 {
-    for (size_t i = 1; sentence[0] && sentence[i] && !words_ends_line(sentence[i]); i++) {
+    for (size_t i = 1, n = words_line_within(sentence, WORDS_REACH); i < n; i++) {
         const char *behind = isspace((unsigned char)sentence[i - 1]) ? words_behind_number(sentence + i) : NULL;
 
         if (behind && words_is(behind, "more"))

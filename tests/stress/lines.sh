@@ -41,6 +41,8 @@ while read -r fragment; do
     done
     { printf 'Cast on 4\nRow 1: k4\n'; repeated "$fragment" blanks; echo; } >text.knit
     takes 'behind a row' check -q text.knit
+    { echo 'Cast on 4'; repeated "$fragment" blanks; echo; } >first.knit
+    takes 'first' check -q first.knit
     takes 'written again' fmt --check text.knit
     empty "$fragment" wrong
 done <<'END'
@@ -67,6 +69,7 @@ Cast on 4 st
 to last 2 sts
 the rest of the row
 how to knit it
+k2, p2 rib.
 knit the knits
 same as
 swatch
