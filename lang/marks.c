@@ -178,7 +178,7 @@ static void put_characters(struct page *page)
             write_bytes(page, page->text + page->at, length);
             continue;
         }
-        if (code < 0x80 && strchr(" \t\r\n\f\v", (int)code))
+        if (code < 0x80 && strchr(" \t\r\n\f\v.,;:!?", (int)code))
             write_blanks(page, 0);
         write_character(page, length, code, depth > 0);
     }

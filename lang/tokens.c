@@ -130,6 +130,16 @@ static unsigned line_within(const char *text, struct span span)
     return at > span.start ? at : span.end;
 }
 
+/* The end of a word whose plain spelling is shorter: blanks stand for the rest of it. */
+static unsigned behind_spelling(const struct reader *reader, unsigned end)
+{
+    const char *text = reader->source->text;
+
+    while (reader->plain[end] == ' ' && (isalnum((unsigned char)text[end]) || (unsigned char)text[end] >= 0x80))
+        end++;
+    return end;
+}
+
 /* A line's end is no token here: the one behind it says that it begins something. */
 static void take(void *context, int kind, struct span span)
 {
@@ -146,6 +156,8 @@ static void take(void *context, int kind, struct span span)
     }
     if (kind == TOKEN_PROSE && reader->first)
         span.start = with_marks(reader, span.start);
+    if (kind == TOKEN_PROSE)
+        span.end = behind_spelling(reader, span.end);
     breaks = add_gap(reader, span.start);
     token = (struct token){.kind = kind, .first = reader->first, .breaks = breaks, .span = span};
     if (token.first || reader->opened)
