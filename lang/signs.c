@@ -11,6 +11,7 @@
 #include <strings.h>
 
 #include "lang/prose.h"
+#include "lang/remarks.h"
 #include "lang/words.h"
 
 /* ---- numbers in letters ---- */
@@ -50,209 +51,6 @@ static bool is_count(const char *text, size_t at, size_t length)
     return end > at && words_find(text + at, before, sizeof before / sizeof *before) >= 0;
 }
 
-/* ---- remarks ---- */
-
-/* Words that say where stitches stand or what they look like, not how they are worked. */
-static bool is_remark(const char *text, size_t length)
-{
-    static const char *const where[] = {"border", "borders", "edge", "edges", "edging", "selvedge", "selvage", "center", "centre", "middle",
-                                        "panel", "body", "main", "left", "bottom", "top", "margin", "corner", "sts", "stitches"},
-                             *const work[] = {"k", "p", "knit", "purl", "twice", "once", "thrice", "times", "rep", "repeat", "row", "rows",
-                                              "end", "rs", "ws", "wrong", "all", "st", "stitch", "and"};
-    bool found = false;
-
-    for (size_t at = 0, n; at < length; at += n ? n : 1) {
-        n = words_length(text + at);
-        if (!n && !strchr(" -,:'/", text[at]))
-            return false;
-        if (n && words_find(text + at, work, sizeof work / sizeof *work) >= 0)
-            return false;
-        found |= n && words_find(text + at, where, sizeof where / sizeof *where) >= 0;
-    }
-    return found;
-}
-
-/* Whether `seed stitch`, `rib` stands before: brackets behind that say how it is worked. */
-static bool behind_fabric(const char *text, size_t at)
-{
-    static const char *const fabric[] = {"seed", "moss", "garter", "stitch", "stockinette", "rib", "ribbing"};
-    size_t end;
-
-    while (at > 0 && text[at - 1] == ' ')
-        at--;
-    for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
-        at--;
-    return end > at && words_find(text + at, fabric, sizeof fabric / sizeof *fabric) >= 0;
-}
-
-/* `(left border)`; `(K1, P1)` behind `seed stitch`, which it begins with, where it is not worked so many times. */
-static size_t remark_length(const char *text, size_t at)
-{
-    static const char *const times[] = {"x", "twice", "thrice", "once", "to", "rep", "repeat", "until", "rib", "ribbing", "across", "around"};
-    const char *here = text + at;
-    size_t close = 1 + strcspn(here + 1, "\r\n()");
-
-    if (here[close] != ')' || close == 1)
-        return 0;
-    if (is_remark(here + 1, close - 1))
-        return close + 1;
-    if (!behind_fabric(text, at) || tolower((unsigned char)here[1]) != 'k')
-        return 0;
-    here += close + 1;
-    here += strspn(here, " \t");
-    return isdigit((unsigned char)*here) || words_find(here, times, sizeof times / sizeof *times) >= 0 ? 0 : close + 1;
-}
-
-/* How long `(40 sts)`, `[40 sts rem]` is; or 0. */
-static size_t asserted_length(const char *text)
-{
-    static const char *const words[] = {"st", "sts", "stitch", "stitches", "rem", "remain", "left"};
-    size_t at = 1 + strspn(text + 1, " "), digits = strspn(text + at, "0123456789"), n;
-
-    at += digits;
-    for (at += strspn(text + at, " "); (n = words_length(text + at)) > 0; at += n, at += strspn(text + at, " "))
-        if (!digits || words_find(text + at, words, sizeof words / sizeof *words) < 0)
-            return 0;
-    return digits && isalpha((unsigned char)text[at - 1]) && text[at] == (*text == '(' ? ')' : ']') ? at + 1 : 0;
-}
-
-/* `(40 sts) - the rib begins`: the count, and behind it words that ask for no work; `plain` is the count. */
-static size_t caption_length(const char *text, char plain[static SIGNS_PLAIN])
-{
-    static const char *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "work", "cont", "continue", "cast", "bind", "co", "bo", "turn",
-                                       "slip", "inc", "increase", "increasing", "dec", "decrease", "decreasing", "join", "change", "next", "then",
-                                       "place", "remove", "twice", "once", "times", "more", "as", "with", "using"};
-    size_t count = asserted_length(text), at = count, n;
-    bool words = false;
-
-    if (!count || count >= SIGNS_PLAIN)
-        return 0;
-    for (; text[at] && !strchr("\r\n", text[at]); at += n ? n : 1) {
-        n = words_length(text + at);
-        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
-            return 0;
-        words |= n > 0;
-    }
-    memcpy(plain, text, count);
-    plain[words ? count : 0] = '\0';
-    return words ? at : 0;
-}
-
-/* ---- counts ---- */
-
-/* Whether the line has the name of a row, and this stands behind it. */
-static bool in_row(const char *text, size_t at)
-{
-    static const char *const sides[] = {"rs", "ws", "next", "set"};
-    size_t line = words_line_start(text, at), number;
-
-    line += strspn(text + line, " \t-*+>|_(");
-    number = line + strspn(text + line, "0123456789");
-    return line < at && ((number > line && strchr(".:)|/(- ", text[number + (text[number] == ' ')])) || words_are_rows(text + line) || words_find(text + line, sides, 4) >= 0 ||
-                         (tolower((unsigned char)text[line]) == 'r' && isdigit((unsigned char)text[line + 1])));
-}
-
-/* What may open a count, what closes it, and whether it must say of what. */
-static const struct opening {
-    const char *sign;
-    char close;
-    bool named;
-} openings[] = {{"<", '>', false}, {"{", '}', true}, {"=", 0, false}, {"|", '|', false}, {"(", ')', true}, {"[", ']', true}, {"//", 0, true},
-                {":", 0, true}, {"-", 0, true}, {"~", 0, true}, {"\xE2\x80\x93", 0, true}, {"\xE2\x80\x94", 0, true}, {"", 0, true}};
-enum { OPENINGS = sizeof openings / sizeof *openings };
-
-/* `You should have 24 sts on the needle.` up to the line's end, or up to `close`; 0: something else. */
-static size_t sentence_length(const char *text, char close, bool named, int *number)
-{
-    static const char *const words[] = {"st", "sts", "stitch", "stitches", "total", "count", "you", "should", "will", "now", "have", "there", "are",
-                                        "on", "the", "your", "needle", "needles", "in", "all", "remain", "remaining", "rem", "left", "each"};
-    size_t at = 0, n, numbers = 0;
-
-    for (; text[at] && !strchr("\r\n", text[at]) && text[at] != close; at += n ? n : 1) {
-        n = words_length(text + at);
-        if (n ? words_find(text + at, words, sizeof words / sizeof *words) < 0 : !strchr(" \t.:0123456789", text[at]))
-            return 0;
-        named &= words_find(text + at, words, 6) < 0;
-        if (!n && isdigit((unsigned char)text[at])) {
-            n = strspn(text + at, "0123456789");
-            *number = n < 7 ? atoi(text + at) : 0;
-            numbers++;
-        }
-    }
-    if (numbers != 1 || named || !*number || (close && close != '|' && text[at] != close))
-        return 0;
-    at += close && text[at] == close;
-    n = at + strspn(text + at, " \t.");
-    return text[n] && !strchr("\r\n", text[n]) ? 0 : at;
-}
-
-/* `<24 sts>`, `= 24`, `(total: 24 sts)` at a row's end: its bytes, and `(24)`. */
-static size_t said_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
-{
-    static const char *const begins[] = {"you", "there", "now", "total", "stitch"};
-    const char *here = text + at;
-    const struct opening *opening = openings;
-    size_t length;
-    int number = 0;
-
-    while (strncmp(here, opening->sign, strlen(opening->sign)) != 0)
-        opening++;
-    if (strchr("([", *here) && asserted_length(here))
-        return 0;
-    if (!*opening->sign && (words_find(here, begins, 5) < 0 || at < 2 || !strchr(".;,", text[at - 1 - (text[at - 1] == ' ')])))
-        return 0;
-    length = strlen(opening->sign);
-    length += opening->close ? 0 : strspn(here + length, "->");
-    number = 0;
-    if (!sentence_length(here + length, opening->close, opening->named, &number) || !in_row(text, at))
-        return 0;
-    length += sentence_length(here + length, opening->close, opening->named, &number);
-    snprintf(plain, SIGNS_PLAIN, "(%d)", number);
-    if (strlen(plain) > length)
-        *plain = '\0';
-    return *plain ? length : 0;
-}
-
-/* The bar that ends a line of a table, with a number behind it where it is no row's. */
-static size_t last_bar_length(const char *text, size_t at)
-{
-    size_t line, end = at + 1 + strspn(text + at + 1, " \t0123456789");
-
-    end += text[end] == '|';
-    end += strspn(text + end, " \t");
-    if (text[end] && !strchr("\r\n", text[end]))
-        return 0;
-    line = words_line_start(text, at);
-    return in_row(text, at) || prose_statement_follows(text + line + strspn(text + line, " \t|")) ? end - at : 0;
-}
-
-/* `(boring, I know!)`: words to the reader in brackets, and none of a technique. */
-static size_t chatter_length(const char *text)
-{
-    static const char *const work[] = {"k", "p", "knit", "purl", "twice", "times", "rep", "repeat", "row", "rows", "end", "rs", "ws", "through", "back",
-                                       "loop", "loops", "front", "yarn", "with", "in", "as", "if", "color", "colour", "twisted", "slip", "wrap", "turn"};
-    size_t at = 1, n, words = 0;
-
-    for (; text[at] && !strchr("\r\n()", text[at]); at += n ? n : 1) {
-        n = words_length(text + at);
-        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" ,.!?;'\xE2\x80\x99-", text[at]))
-            return 0;
-        words += n > 0;
-    }
-    return text[at] == ')' && words > 1 && strchr("!?", text[at - 1]) ? at + 1 : 0;
-}
-
-/* `:)`, `<3` behind a blank. */
-static size_t face_length(const char *text, size_t at)
-{
-    static const char *const faces[] = {":-)", ":)", ";-)", ";)", ":D", "<3", ":-D", "^^"};
-
-    for (size_t i = 0; at > 0 && text[at - 1] == ' ' && i < sizeof faces / sizeof *faces; i++)
-        if (strncmp(text + at, faces[i], strlen(faces[i])) == 0 && (!text[at + strlen(faces[i])] || strchr(" \r\n", text[at + strlen(faces[i])])))
-            return strlen(faces[i]);
-    return 0;
-}
-
 /* ---- other words for stitches and rows ---- */
 
 /* The number of the row whose text begins here, `Row 6: `; 0: none begins, or one of several rows. */
@@ -279,7 +77,7 @@ static char translated_stitch(const char *text, size_t at)
     int word = words_find(text + at, words, 5);
     const char *behind = words_skip_blanks(text + at + words_length(text + at));
 
-    if (word < 0 || at < 2 || text[at - 1] != ' ' || !isdigit((unsigned char)text[at - 2]) || words_find(behind, others, 8) >= 0 || !in_row(text, at))
+    if (word < 0 || at < 2 || text[at - 1] != ' ' || !isdigit((unsigned char)text[at - 2]) || words_find(behind, others, 8) >= 0 || !remarks_in_row(text, at))
         return 0;
     return word < 3 ? 'k' : 'p';
 }
@@ -296,7 +94,7 @@ static size_t side_length(const char *text, size_t at, char plain[static SIGNS_P
     static const char *const sides[] = {"rs", "ws"};
     int side = words_find(text + at + 1, sides, 2);
 
-    if (side < 0 || text[at + 3] != (text[at] == '(' ? ')' : ']') || !prose_line_ends(text + at + 4) || !in_row(text, at) || at == 0 || row_begun(text, at + 1))
+    if (side < 0 || text[at + 3] != (text[at] == '(' ? ')' : ']') || !prose_line_ends(text + at + 4) || !remarks_in_row(text, at) || at == 0 || row_begun(text, at + 1))
         return 0;
     snprintf(plain, SIGNS_PLAIN, " %s", sides[side]);
     return 4;
@@ -307,7 +105,7 @@ static size_t aside_length(const char *text, size_t at)
 {
     size_t n = strncmp(text + at, "//", 2) == 0 || strncmp(text + at, "<-", 2) == 0 ? 2 : 0;
 
-    if (!n || at == 0 || text[at - 1] != ' ' || words_line_has(text + at, "rep") || words_line_has(text + at, "repeat") || !in_row(text, at))
+    if (!n || at == 0 || text[at - 1] != ' ' || words_line_has(text + at, "rep") || words_line_has(text + at, "repeat") || !remarks_in_row(text, at))
         return 0;
     return words_line_has_sign(text + at, "0123456789*()[]") ? 0 : words_line_length(text + at);
 }
@@ -318,7 +116,7 @@ static size_t dots_length(const char *text, size_t at)
     size_t n = strncmp(text + at, "...", 3) == 0 || strncmp(text + at, "\xE2\x80\xA6", 3) == 0 ? 3 : 0;
     const char *behind = words_skip_blanks(text + at + n);
 
-    return n && (words_is(behind, "end") || words_is(behind, "ending")) && in_row(text, at) ? n : 0;
+    return n && (words_is(behind, "end") || words_is(behind, "ending")) && remarks_in_row(text, at) ? n : 0;
 }
 
 /* `Same.`, `as above`, `repeat previous row` behind `Row 6:`: its bytes, and `as 5`. */
@@ -446,7 +244,7 @@ static size_t dash_remark_length(const char *text, size_t at)
 
     while (at > 0 && text[at - 1] == ' ')
         at--;
-    return at > 0 && isdigit((unsigned char)text[at - 1]) && is_remark(text + at + dash + 1, length - dash - 1) ? length : 0;
+    return at > 0 && isdigit((unsigned char)text[at - 1]) && remarks_are(text + at + dash + 1, length - dash - 1) ? length : 0;
 }
 
 /* The sign between stitches of `p2/k6/p2`. */
@@ -485,7 +283,7 @@ static bool is_between_rows(const char *text, size_t at)
 /* The sign of `R1/RS:`. */
 static bool is_before_side(const char *text, size_t at)
 {
-    return at > 1 && isdigit((unsigned char)text[at - 1]) && (words_is(text + at + 1, "rs") || words_is(text + at + 1, "ws")) && text[at + 3] == ':' && in_row(text, at);
+    return at > 1 && isdigit((unsigned char)text[at - 1]) && (words_is(text + at + 1, "rs") || words_is(text + at + 1, "ws")) && text[at + 3] == ':' && remarks_in_row(text, at);
 }
 
 /* `Row1`, `Rnds1` without a blank before the number: the word's bytes, and `R`, `Rd ` as short a name of a row or round. */
@@ -538,7 +336,7 @@ static bool begins_repeat(const char *text, size_t at)
     const char *behind = words_skip_blanks(text + at + 4);
     bool ended = false;
 
-    if (!words_is(text + at, "then") || !in_row(text, at) || !prose_stitches_follow(behind) || !isdigit((unsigned char)behind[1]))
+    if (!words_is(text + at, "then") || !remarks_in_row(text, at) || !prose_stitches_follow(behind) || !isdigit((unsigned char)behind[1]))
         return false;
     end = words_line_length(text + at);
     for (size_t i = 0; i < end; i += words_length(text + at + i) + 1)
@@ -622,12 +420,12 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     int number;
 
     *plain = '\0';
-    if (strchr("([", *here) && *here && caption_length(here, plain))
-        return caption_length(here, plain);
-    if (*here && strchr("<{=|([/:-~\xE2tTyYnNsS", *here) && (begins || !isalpha((unsigned char)*here)) && (length = said_length(text, at, plain)) > 0)
+    if (strchr("([", *here) && *here && remarks_caption(here, plain))
+        return remarks_caption(here, plain);
+    if (*here && strchr("<{=|([/:-~\xE2tTyYnNsS", *here) && (begins || !isalpha((unsigned char)*here)) && (length = remarks_said(text, at, plain)) > 0)
         return length;
-    if (*here && strchr(":;<^", *here) && face_length(text, at))
-        return face_length(text, at);
+    if (*here && strchr(":;<^", *here) && remarks_face(text, at))
+        return remarks_face(text, at);
     if (*here && strchr("rRpPwW", *here) && begins && translated_stitch(text, at)) {
         *plain = translated_stitch(text, at);
         plain[1] = '\0';
@@ -658,12 +456,12 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         return 1;
     if (*here && strchr("()oOeEuU", *here) && (begins || *here == ')') && (length = listed_length(text, at)) > 0)
         return length;
-    if (*here == '(' && chatter_length(here))
-        return chatter_length(here);
+    if (*here == '(' && remarks_chatter(here))
+        return remarks_chatter(here);
     if (*here == '(' && other_counts_length(text, at))
         return other_counts_length(text, at);
     if (*here == '(')
-        return begins ? remark_length(text, at) : 0;
+        return begins ? remarks_length(text, at) : 0;
     if (strncmp(here, "\xE2\x80\xA6", 3) == 0)
         return at > 0 && (isalnum((unsigned char)text[at - 1]) || strchr(".,;)", text[at - 1])) ? 3 : 0;
     if (*here == '~' && at > 0 && text[at - 1] == ' ' && here[1] == ' ') {
@@ -692,7 +490,7 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     if (begins && isdigit((unsigned char)*here))
         return ordinals_length(text, at, plain);
     if (*here == '|')
-        return is_table_bar(text, at) ? 1 : last_bar_length(text, at);
+        return is_table_bar(text, at) ? 1 : remarks_bar(text, at);
     if (*here == ' ' && row_begins(text, at)) {
         strcpy(plain, ";");
         return 1;

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A place of a text in, how much of it is a remark or a count that a row does not need out. */
+#include "lang/remarks.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "lang/prose.h"
+#include "lang/words.h"
+
+/* ---- remarks ---- */
+
+bool remarks_are(const char *text, size_t length)
+{
+    static const char *const where[] = {"border", "borders", "edge", "edges", "edging", "selvedge", "selvage", "center", "centre", "middle",
+                                        "panel", "body", "main", "left", "bottom", "top", "margin", "corner", "sts", "stitches"},
+                             *const work[] = {"k", "p", "knit", "purl", "twice", "once", "thrice", "times", "rep", "repeat", "row", "rows",
+                                              "end", "rs", "ws", "wrong", "all", "st", "stitch", "and"};
+    bool found = false;
+
+    for (size_t at = 0, n; at < length; at += n ? n : 1) {
+        n = words_length(text + at);
+        if (!n && !strchr(" -,:'/", text[at]))
+            return false;
+        if (n && words_find(text + at, work, sizeof work / sizeof *work) >= 0)
+            return false;
+        found |= n && words_find(text + at, where, sizeof where / sizeof *where) >= 0;
+    }
+    return found;
+}
+
+/* Whether `seed stitch`, `rib` stands before: brackets behind that say how it is worked. */
+static bool behind_fabric(const char *text, size_t at)
+{
+    static const char *const fabric[] = {"seed", "moss", "garter", "stitch", "stockinette", "rib", "ribbing"};
+    size_t end;
+
+    while (at > 0 && text[at - 1] == ' ')
+        at--;
+    for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
+        at--;
+    return end > at && words_find(text + at, fabric, sizeof fabric / sizeof *fabric) >= 0;
+}
+
+size_t remarks_length(const char *text, size_t at)
+{
+    static const char *const times[] = {"x", "twice", "thrice", "once", "to", "rep", "repeat", "until", "rib", "ribbing", "across", "around"};
+    const char *here = text + at;
+    size_t close = 1 + strcspn(here + 1, "\r\n()");
+
+    if (here[close] != ')' || close == 1)
+        return 0;
+    if (remarks_are(here + 1, close - 1))
+        return close + 1;
+    if (!behind_fabric(text, at) || tolower((unsigned char)here[1]) != 'k')
+        return 0;
+    here += close + 1;
+    here += strspn(here, " \t");
+    return isdigit((unsigned char)*here) || words_find(here, times, sizeof times / sizeof *times) >= 0 ? 0 : close + 1;
+}
+
+/* How long `(40 sts)`, `[40 sts rem]` is; or 0. */
+static size_t asserted_length(const char *text)
+{
+    static const char *const words[] = {"st", "sts", "stitch", "stitches", "rem", "remain", "left"};
+    size_t at = 1 + strspn(text + 1, " "), digits = strspn(text + at, "0123456789"), n;
+
+    at += digits;
+    for (at += strspn(text + at, " "); (n = words_length(text + at)) > 0; at += n, at += strspn(text + at, " "))
+        if (!digits || words_find(text + at, words, sizeof words / sizeof *words) < 0)
+            return 0;
+    return digits && isalpha((unsigned char)text[at - 1]) && text[at] == (*text == '(' ? ')' : ']') ? at + 1 : 0;
+}
+
+size_t remarks_caption(const char *text, char plain[static SIGNS_PLAIN])
+{
+    static const char *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "work", "cont", "continue", "cast", "bind", "co", "bo", "turn",
+                                       "slip", "inc", "increase", "increasing", "dec", "decrease", "decreasing", "join", "change", "next", "then",
+                                       "place", "remove", "twice", "once", "times", "more", "as", "with", "using"};
+    size_t count = asserted_length(text), at = count, n;
+    bool words = false;
+
+    if (!count || count >= SIGNS_PLAIN)
+        return 0;
+    for (; text[at] && !strchr("\r\n", text[at]); at += n ? n : 1) {
+        n = words_length(text + at);
+        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
+            return 0;
+        words |= n > 0;
+    }
+    memcpy(plain, text, count);
+    plain[words ? count : 0] = '\0';
+    return words ? at : 0;
+}
+
+/* ---- counts ---- */
+
+bool remarks_in_row(const char *text, size_t at)
+{
+    static const char *const sides[] = {"rs", "ws", "next", "set"};
+    size_t line = words_line_start(text, at), number;
+
+    line += strspn(text + line, " \t-*+>|_(");
+    number = line + strspn(text + line, "0123456789");
+    return line < at && ((number > line && strchr(".:)|/(- ", text[number + (text[number] == ' ')])) || words_are_rows(text + line) || words_find(text + line, sides, 4) >= 0 ||
+                         (tolower((unsigned char)text[line]) == 'r' && isdigit((unsigned char)text[line + 1])));
+}
+
+/* What may open a count, what closes it, and whether it must say of what. */
+static const struct opening {
+    const char *sign;
+    char close;
+    bool named;
+} openings[] = {{"<", '>', false}, {"{", '}', true}, {"=", 0, false}, {"|", '|', false}, {"(", ')', true}, {"[", ']', true}, {"//", 0, true},
+                {":", 0, true}, {"-", 0, true}, {"~", 0, true}, {"\xE2\x80\x93", 0, true}, {"\xE2\x80\x94", 0, true}, {"", 0, true}};
+enum { OPENINGS = sizeof openings / sizeof *openings };
+
+/* `You should have 24 sts on the needle.` up to the line's end, or up to `close`; 0: something else. */
+static size_t sentence_length(const char *text, char close, bool named, int *number)
+{
+    static const char *const words[] = {"st", "sts", "stitch", "stitches", "total", "count", "you", "should", "will", "now", "have", "there", "are",
+                                        "on", "the", "your", "needle", "needles", "in", "all", "remain", "remaining", "rem", "left", "each"};
+    size_t at = 0, n, numbers = 0;
+
+    for (; text[at] && !strchr("\r\n", text[at]) && text[at] != close; at += n ? n : 1) {
+        n = words_length(text + at);
+        if (n ? words_find(text + at, words, sizeof words / sizeof *words) < 0 : !strchr(" \t.:0123456789", text[at]))
+            return 0;
+        named &= words_find(text + at, words, 6) < 0;
+        if (!n && isdigit((unsigned char)text[at])) {
+            n = strspn(text + at, "0123456789");
+            *number = n < 7 ? atoi(text + at) : 0;
+            numbers++;
+        }
+    }
+    if (numbers != 1 || named || !*number || (close && close != '|' && text[at] != close))
+        return 0;
+    at += close && text[at] == close;
+    n = at + strspn(text + at, " \t.");
+    return text[n] && !strchr("\r\n", text[n]) ? 0 : at;
+}
+
+size_t remarks_said(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const begins[] = {"you", "there", "now", "total", "stitch"};
+    const char *here = text + at;
+    const struct opening *opening = openings;
+    size_t length;
+    int number = 0;
+
+    while (strncmp(here, opening->sign, strlen(opening->sign)) != 0)
+        opening++;
+    if (strchr("([", *here) && asserted_length(here))
+        return 0;
+    if (!*opening->sign && (words_find(here, begins, 5) < 0 || at < 2 || !strchr(".;,", text[at - 1 - (text[at - 1] == ' ')])))
+        return 0;
+    length = strlen(opening->sign);
+    length += opening->close ? 0 : strspn(here + length, "->");
+    number = 0;
+    if (!sentence_length(here + length, opening->close, opening->named, &number) || !remarks_in_row(text, at))
+        return 0;
+    length += sentence_length(here + length, opening->close, opening->named, &number);
+    snprintf(plain, SIGNS_PLAIN, "(%d)", number);
+    if (strlen(plain) > length)
+        *plain = '\0';
+    return *plain ? length : 0;
+}
+
+size_t remarks_bar(const char *text, size_t at)
+{
+    size_t line, end = at + 1 + strspn(text + at + 1, " \t0123456789");
+
+    end += text[end] == '|';
+    end += strspn(text + end, " \t");
+    if (text[end] && !strchr("\r\n", text[end]))
+        return 0;
+    line = words_line_start(text, at);
+    return remarks_in_row(text, at) || prose_statement_follows(text + line + strspn(text + line, " \t|")) ? end - at : 0;
+}
+
+size_t remarks_chatter(const char *text)
+{
+    static const char *const work[] = {"k", "p", "knit", "purl", "twice", "times", "rep", "repeat", "row", "rows", "end", "rs", "ws", "through", "back",
+                                       "loop", "loops", "front", "yarn", "with", "in", "as", "if", "color", "colour", "twisted", "slip", "wrap", "turn"};
+    size_t at = 1, n, words = 0;
+
+    for (; text[at] && !strchr("\r\n()", text[at]); at += n ? n : 1) {
+        n = words_length(text + at);
+        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" ,.!?;'\xE2\x80\x99-", text[at]))
+            return 0;
+        words += n > 0;
+    }
+    return text[at] == ')' && words > 1 && strchr("!?", text[at - 1]) ? at + 1 : 0;
+}
+
+size_t remarks_face(const char *text, size_t at)
+{
+    static const char *const faces[] = {":-)", ":)", ";-)", ";)", ":D", "<3", ":-D", "^^"};
+
+    for (size_t i = 0; at > 0 && text[at - 1] == ' ' && i < sizeof faces / sizeof *faces; i++)
+        if (strncmp(text + at, faces[i], strlen(faces[i])) == 0 && (!text[at + strlen(faces[i])] || strchr(" \r\n", text[at + strlen(faces[i])])))
+            return strlen(faces[i]);
+    return 0;
+}
