@@ -110,7 +110,8 @@ static void add_sources(cJSON *root, const struct run *run)
 static void add_outputs(cJSON *root, const struct file_log *log)
 {
     cJSON *outputs = cJSON_AddArrayToObject(root, "outputs");
-    for (const struct file_entry *e = log->entry; e < log->entry + log->nentries; e++) {
+    for (int i = 0; i < log->nentries; i++) {
+        const struct file_entry *e = &log->entry[i];
         cJSON *output = cJSON_CreateObject();
         json_text(output, "path", e->path);
         if (e->lasting[0])

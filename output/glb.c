@@ -381,7 +381,8 @@ static void write_arrays(struct file *file, const struct writing *w)
     write_vectors(file, w, w->last.position, NULL);
     write_vectors(file, w, w->last.normal, NULL);
     write_colours(file, w);
-    for (const struct glb_step *step = w->glb->step; step < w->glb->step + w->nsteps; step++) {
+    for (int i = 0; i < w->nsteps; i++) {
+        const struct glb_step *step = &w->glb->step[i];
         write_vectors(file, w, w->last.position, step->position);
         write_vectors(file, w, w->last.normal, step->normal);
     }

@@ -226,7 +226,8 @@ static void add_energy(cJSON *object, const struct fold_energy *energy)
 static void add_steps(cJSON *root, const struct page *page)
 {
     cJSON *steps = cJSON_AddArrayToObject(root, "steps");
-    for (const struct fold_step *s = page->step; s < page->step + page->nsteps; s++) {
+    for (int i = 0; i < page->nsteps; i++) {
+        const struct fold_step *s = &page->step[i];
         cJSON *step = cJSON_CreateObject();
         json_number(step, "growth", s->growth);
         add_energy(step, &s->energy);

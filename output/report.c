@@ -122,7 +122,8 @@ static void add_shape(cJSON *root, const struct fold_record *r)
 static void add_steps(cJSON *root, const struct fold_record *r)
 {
     cJSON *steps = cJSON_AddArrayToObject(root, "steps");
-    for (const struct fold_step *s = r->step; s < r->step + r->nsteps; s++) {
+    for (int i = 0; i < r->nsteps; i++) {
+        const struct fold_step *s = &r->step[i];
         cJSON *step = cJSON_CreateObject();
         json_number(step, "growth", s->growth);
         json_number(step, "energy", s->energy.total);
@@ -151,7 +152,8 @@ static void add_cost(cJSON *root, const struct report *r)
 static void add_outputs(cJSON *root, const struct file_log *log)
 {
     cJSON *outputs = cJSON_AddArrayToObject(root, "outputs");
-    for (const struct file_entry *e = log->entry; e < log->entry + log->nentries; e++) {
+    for (int i = 0; i < log->nentries; i++) {
+        const struct file_entry *e = &log->entry[i];
         cJSON *output = cJSON_CreateObject();
         json_text(output, "path", e->path);
         json_text(output, "sha256", e->sha256);

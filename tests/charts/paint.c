@@ -75,6 +75,10 @@ static int write_steps(const char *path, const png_image *image, const unsigned 
     }
     png_set_rows(png, info, row);
     png_write_png(png, info, PNG_TRANSFORM_IDENTITY, NULL);
+    png_destroy_write_struct(&png, &info);
+    for (unsigned y = 0; y < image->height; y++)
+        free(row[y]);
+    free(row);
     return fclose(file);
 }
 

@@ -202,7 +202,7 @@ static void a_symbol_without_letters_is_the_stitchs_name(void **state)
     (void)state;
     static const struct stitch arrows[] = {
         {.name = "K", .symbol = "k", .ws = STITCH_P}, {.name = "P", .symbol = "p", .ws = STITCH_K},
-        {.name = "T", .symbol = "\u2192", .ws = 2},   {.name = "S", .symbol = "a\u00f6", .ws = 3},
+        {.name = "T", .symbol = "\u2192", .ws = 2},   {.name = "S", .symbol = "a\u20ac", .ws = 3},
     };
     const stitch_id cells[] = {2, 3};
     struct grid g = {2, 1, cells};

@@ -13,9 +13,11 @@ enum { SIZE_MAX_READ = 1 << 24 };
 static cJSON *read_json(const char *path)
 {
     FILE *stream = fopen(path, "rb");
-    char *text = calloc(SIZE_MAX_READ, 1);
-    if (!stream || !text)
+    if (!stream)
         return NULL;
+    char *text = calloc(SIZE_MAX_READ, 1);
+    if (!text)
+        abort();
     size_t size = fread(text, 1, SIZE_MAX_READ - 1, stream);
     const char *end;
     cJSON *root = cJSON_ParseWithLengthOpts(text, size + 1, &end, 1);
