@@ -32,6 +32,8 @@ static bool is_row_1(const char *text)
 {
     const char *number = text + words_length(text);
 
+    if (!strchr("rR1", *text))
+        return false;
     if (strncasecmp(text, "1st ", 4) == 0)
         return words_are_rows(text + 4);
     number += words_are_rows(text) ? strspn(number, " \t") : 0;
@@ -43,7 +45,7 @@ static bool is_about_rows(const char *text)
 {
     static const char *const word[] = {"multiple", "mult", "worked", "work", "any", "note"};
 
-    return *text == '(' || words_find(text, word, sizeof word / sizeof *word) >= 0;
+    return *text == '(' || (strchr("mMwWaAnN", *text) && words_find(text, word, sizeof word / sizeof *word) >= 0);
 }
 
 static bool rows_follow(const char *line)
