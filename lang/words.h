@@ -52,7 +52,7 @@ static inline int words_find(const char *text, const char *const *word, int n)
     size_t length = words_length(text);
 
     for (int i = 0; i < n; i++)
-        if (strlen(word[i]) == length && strncasecmp(text, word[i], length) == 0)
+        if (((*word[i] ^ *text) & 0xDF) == 0 && strlen(word[i]) == length && strncasecmp(text, word[i], length) == 0)
             return i;
     return -1;
 }
