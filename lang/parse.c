@@ -239,6 +239,8 @@ const char *source_plain(struct arena *arena, const struct source *source)
         at += strlen(spelling->text) - 1;
         text[at] = spelling->plain;
     }
+    if (source->size > WORDS_PAGE)
+        return text ? text : source->text;
     return wording_plain(arena, named_plain(arena, marks_plain(arena, text ? text : source->text, source->size), source->size), source->size);
 }
 

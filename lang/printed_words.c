@@ -287,11 +287,15 @@ static size_t each_side_length(const char *text, char plain[static PRINTED_PLAIN
 {
     static const char *const words[] = {"edge", "selvedge", "selvage", "extra", "st", "sts", "stitch", "stitches", "at", "on", "for", "each", "either"},
                              *const side[] = {"side", "end", "edge"};
-    size_t n = words_is(text, "plus") ? 4 + print_blanks(text + 4) : 0;
-    int number = n ? atoi(text + n) : 0;
+    size_t n = strlen("plus");
+    int number;
     bool each = false;
 
-    n += n ? strspn(text + n, "0123456789") : 0;
+    if (!words_is(text, "plus"))
+        return 0;
+    n += print_blanks(text + n);
+    number = atoi(text + n);
+    n += strspn(text + n, "0123456789");
     for (n += print_blanks(text + n); number > 0 && words_find(text + n, words, 13) >= (each ? 13 : 0); n += print_blanks(text + n)) {
         each = words_find(text + n, words, 13) >= 11;
         n += words_length(text + n);

@@ -82,7 +82,8 @@ static inline bool words_is_name(const char *text, const char *name)
 /* ---- on a line ---- */
 
 enum {
-    WORDS_LINE = 4000,      /* bytes of the longest line of a page; one beyond it was written by a program */
+    WORDS_PAGE = 1000000,   /* bytes of the longest page, */
+    WORDS_LINE = 4000,      /* and of its longest line; what is beyond them was written by a program */
     WORDS_REACH = 1000      /* how far it is looked for a word that changes what stands before it */
 };
 
