@@ -461,10 +461,24 @@ static void format_statement(struct format *f, int indent)
     }
 }
 
+/* `Done. Repeat rows 1 and 2.`: a word is a sentence only where another follows it. */
+static bool is_behind_word(const struct format *f)
+{
+    struct span word = token(f)[-1].span;
+    const char *text = word.source->text;
+
+    if (token(f)[-1].kind != TOKEN_PROSE || token(f)->breaks || text[word.end] != '.')
+        return false;
+    return !memchr(text + word.start, ' ', word.end - word.start) && !memchr(text + word.start, '\t', word.end - word.start);
+}
+
 static void format_statements(struct format *f, int indent)
 {
     for (int begin = f->at; token(f)->kind != '}' && token(f)->kind != TOKEN_END;) {
-        layout_line(f->out, indent, f->at > begin && token(f)->breaks > 1);
+        if (f->at > begin && is_behind_word(f))
+            layout_add(f->out, ". ", 2);
+        else
+            layout_line(f->out, indent, f->at > begin && token(f)->breaks > 1);
         if (token(f)->kind == TOKEN_COMMENT)
             add_source(f, f->tokens.at[f->at++].span);
         else
