@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * What stands at the beginning of a line before a part of a pattern, or fills a line without being one. */
-#ifndef LANG_HEADS_H
-#define LANG_HEADS_H
+#ifndef WEFT_HEADS_H
+#define WEFT_HEADS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * What only printed books have: their marks and stops, ordinals in letters, rows told by others. */
-#ifndef LANG_PRINTED_H
-#define LANG_PRINTED_H
+#ifndef WEFT_PRINTED_H
+#define WEFT_PRINTED_H
 
 #include <stddef.h>
 

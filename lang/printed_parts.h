@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * Parts of a printed book's lines, for the files behind printed.h alone. */
-#ifndef LANG_PRINTED_PARTS_H
-#define LANG_PRINTED_PARTS_H
+#ifndef WEFT_PRINTED_PARTS_H
+#define WEFT_PRINTED_PARTS_H
 
 #include <ctype.h>
 #include <stdbool.h>

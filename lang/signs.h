@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * A place of a text in, what stands for it plainly out, where it is a sign or a remark. */
-#ifndef LANG_SIGNS_H
-#define LANG_SIGNS_H
+#ifndef WEFT_SIGNS_H
+#define WEFT_SIGNS_H
 
 #include <stddef.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * Turns of phrase that are put plainly (wording.c): of pages, `the rest of the row`, and of printed books, `3 plain, 2 purl`. */
-#ifndef LANG_TURNS_H
-#define LANG_TURNS_H
+#ifndef WEFT_TURNS_H
+#define WEFT_TURNS_H
 
 #include "lang/phrases.h"
 
