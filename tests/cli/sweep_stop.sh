@@ -21,7 +21,7 @@ motif checks { Row 1: *k2, p2; rep from * to end
   Row 4: *p2, k2; rep from * to end }
 swatch c < 0.1 ? K : fill(checks, 12, 12)
 mesh  { per_stitch = 1 }
-solve { steps = 100 }
+solve { steps = 250 }
 sweep c in [0.01, 0.02, 0.5, 0.6]
 output "x.pvd"
 output "x.glb"
