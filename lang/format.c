@@ -138,6 +138,18 @@ static void format_tokens(struct format *f, int indent)
     }
 }
 
+static bool is_knitters(int kind)
+{
+    static const int kinds[] = {TOKEN_ROW, TOKEN_ALL, TOKEN_CAST_ON, TOKEN_MULTIPLE_OF, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST,
+                                TOKEN_SETUP, TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK, TOKEN_WORK_ROWS,
+                                TOKEN_GO_ON_ROWS, TOKEN_REPEAT_THEM, TOKEN_STARTING, TOKEN_SIDE, TOKEN_NEXT_ROWS};
+
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (kind == kinds[i])
+            return true;
+    return false;
+}
+
 /* ---- rows ---- */
 
 /* Moves behind a knitter's statement; whether comments stand inside it. */
@@ -277,17 +289,53 @@ static void format_row(struct format *f, int indent)
         row_words(f->out, &f->style, stmt, first->kind, is_stopped(f, stmt, span.end));
 }
 
-/* Text around a pattern keeps its words. */
-static void format_words(struct format *f, struct span span)
-{
-    const char *text = f->source->text, *end = text + span.end, *word = text + span.start;
+/* ---- text around a pattern ---- */
 
-    for (size_t n; word < end; word += n + strspn(word + n, " \t\f\v")) {
-        for (n = 0; word + n < end && !strchr(" \t\f\v", word[n]);)
-            n++;
-        layout_add(f->out, " ", word > text + span.start && n);
+static bool is_text(int kind)
+{
+    return kind == TOKEN_PROSE || kind == TOKEN_GO_ON;
+}
+
+/* Whether what comes next stands on the line of the statement before it. */
+static bool is_joined(const struct token *t)
+{
+    return t->first && !t->breaks && t->kind != '}' && t->kind != TOKEN_END;
+}
+
+/* One blank between words, lines as they are. */
+static void format_words(struct format *f, struct span span, int indent)
+{
+    const char *text = f->source->text, *end = text + span.end;
+
+    for (const char *word = text + span.start, *next; word < end; word = next) {
+        size_t n = strcspn(word, " \t\f\v\r\n"), blanks;
+
+        n = word + n < end ? n : (size_t)(end - word);
+        blanks = strspn(word + n, " \t\f\v\r\n");
+        next = word + n + blanks;
         layout_add(f->out, word, n);
+        if (next < end && (memchr(word + n, '\n', blanks) || memchr(word + n, '\r', blanks)))
+            layout_line(f->out, indent + 2 * STEP, false);
+        else if (next < end)
+            layout_add(f->out, " ", 1);
     }
+}
+
+/* It keeps its words, and what stands behind it on its line stays there: a part of a line may read otherwise alone. */
+static void format_text(struct format *f, int indent)
+{
+    const char *text = f->source->text;
+    struct span span = token(f)->span;
+
+    do {
+        f->row += is_knitters(token(f)->kind);
+        skip_row(f);
+    } while (is_joined(token(f)));
+    span.end = token(f)[-1].span.end;
+    span.end += (unsigned)strcspn(text + span.end, "\r\n");
+    if (!token(f)->breaks && token(f)->kind != TOKEN_END)
+        span.end = token(f)->span.start;
+    format_words(f, span, indent);
 }
 
 /* ---- charts ---- */
@@ -392,18 +440,6 @@ static void format_body(struct format *f, int indent)
 
 /* ---- statements ---- */
 
-static bool is_knitters(int kind)
-{
-    static const int kinds[] = {TOKEN_ROW, TOKEN_ALL, TOKEN_CAST_ON, TOKEN_MULTIPLE_OF, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST,
-                                TOKEN_SETUP, TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK, TOKEN_WORK_ROWS,
-                                TOKEN_GO_ON_ROWS, TOKEN_REPEAT_THEM, TOKEN_STARTING, TOKEN_SIDE, TOKEN_NEXT_ROWS};
-
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (kind == kinds[i])
-            return true;
-    return false;
-}
-
 static bool has_body(int kind)
 {
     return kind == TOKEN_MOTIF || kind == TOKEN_FOR || kind == TOKEN_IF || kind == TOKEN_ELSE;
@@ -434,16 +470,15 @@ static void format_statement(struct format *f, int indent)
     int kind = token(f)->kind, begin = f->at, n;
 
     if (token(f)->label.source) {
-        format_words(f, token(f)->label);
+        format_words(f, token(f)->label, indent);
         layout_add(f->out, " ", 1);
     }
     if (is_knitters(kind)) {
         format_row(f, indent);
         return;
     }
-    if (kind == TOKEN_PROSE || kind == TOKEN_GO_ON) {
-        format_words(f, token(f)->span);
-        f->at++;
+    if (is_text(kind)) {
+        format_text(f, indent);
         return;
     }
     format_tokens(f, indent);
@@ -461,22 +496,11 @@ static void format_statement(struct format *f, int indent)
     }
 }
 
-/* `Done. Repeat rows 1 and 2.`: a word is a sentence only where another follows it. */
-static bool is_behind_word(const struct format *f)
-{
-    struct span word = token(f)[-1].span;
-    const char *text = word.source->text;
-
-    if (token(f)[-1].kind != TOKEN_PROSE || token(f)->breaks || text[word.end] != '.')
-        return false;
-    return !memchr(text + word.start, ' ', word.end - word.start) && !memchr(text + word.start, '\t', word.end - word.start);
-}
-
 static void format_statements(struct format *f, int indent)
 {
     for (int begin = f->at; token(f)->kind != '}' && token(f)->kind != TOKEN_END;) {
-        if (f->at > begin && is_behind_word(f))
-            layout_add(f->out, ". ", 2);
+        if (f->at > begin && is_text(token(f)->kind) && is_joined(token(f)))
+            layout_add(f->out, " ", 1);
         else
             layout_line(f->out, indent, f->at > begin && token(f)->breaks > 1);
         if (token(f)->kind == TOKEN_COMMENT)
