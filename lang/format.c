@@ -321,6 +321,17 @@ static void format_words(struct format *f, struct span span, int indent)
     }
 }
 
+/* What parts text from the statement before it on its line, which has its full stop; NULL: it gets a line of its own. */
+static const char *joint(const struct format *f)
+{
+    unsigned end = token(f)[-1].span.end, n = token(f)->span.start - end;
+    const char *gap = f->source->text + end;
+
+    if (!is_text(token(f)->kind) || !is_joined(token(f)))
+        return NULL;
+    return memchr(gap, ';', n) ? "; " : memchr(gap, '.', n) ? " " : NULL;
+}
+
 /* It keeps its words, and what stands behind it on its line stays there: a part of a line may read otherwise alone. */
 static void format_text(struct format *f, int indent)
 {
@@ -499,8 +510,10 @@ static void format_statement(struct format *f, int indent)
 static void format_statements(struct format *f, int indent)
 {
     for (int begin = f->at; token(f)->kind != '}' && token(f)->kind != TOKEN_END;) {
-        if (f->at > begin && is_text(token(f)->kind) && is_joined(token(f)))
-            layout_add(f->out, " ", 1);
+        const char *between = f->at > begin ? joint(f) : NULL;
+
+        if (between)
+            layout_print(f->out, "%s", between);
         else
             layout_line(f->out, indent, f->at > begin && token(f)->breaks > 1);
         if (token(f)->kind == TOKEN_COMMENT)

@@ -18,6 +18,16 @@ for file in "$source"/examples/*.knit "$source"/stdlib/*.knit "$source"/tests/go
     cp "$file" "$1/format/$name"
 done
 
+# Every case of the language's tables.
+mkdir -p "$1/case"
+awk -v folder="$1/case/" -v wanted="$1/wanted" -f "$source/tests/golden/cases.awk" \
+    "$source/tests/golden/grammar.txt" "$source/tests/golden/books.txt" "$source/tests/golden/web.txt"
+for file in "$1"/case/*.knit; do
+    cp "$file" "$1/script/case-$(basename "$file" .knit)"
+    cp "$file" "$1/format/case-$(basename "$file" .knit)"
+done
+rm -r "$1/case" "$1/wanted"
+
 # Every one-line program of the shell tests.
 sed -n "s/^\(grid\|size\|wrong E[0-9]*\) '\([^']*\)'.*/\2/p" "$source"/tests/golden/test_*.sh | {
     n=0

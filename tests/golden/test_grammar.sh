@@ -7,20 +7,8 @@
 
 # A script for each case, and what is expected of all.
 mkdir "$work/case"
-awk -v folder="$work/case/" -v wanted="$work/wanted" '
-    function begin(expected) {
-        close(file)
-        file = sprintf("%s%04d.knit", folder, ++n)
-        print about "|" expected >wanted
-    }
-    FNR == 1   { each = file = "" }
-    /^@@ /     { about = substr($0, 4); file = ""; next }
-    /^@each /  { each = substr($0, 7); line = "Row 1: k2, %s, k2\n"; next }
-    /^@after / { each = substr($0, 8); line = "Cast on 4\nRow 1: knit\n%s\n"; next }
-    /^@ /      { each = ""; begin(substr($0, 3)); next }
-    each != "" && NF { begin(each); printf line, $0 >file; next }
-    each == "" && file != "" { print >file }
-' "$WEFT_SOURCE/tests/golden/grammar.txt" "$WEFT_SOURCE/tests/golden/books.txt" "$WEFT_SOURCE/tests/golden/web.txt"
+awk -v folder="$work/case/" -v wanted="$work/wanted" -f "$WEFT_SOURCE/tests/golden/cases.awk" \
+    "$WEFT_SOURCE/tests/golden/grammar.txt" "$WEFT_SOURCE/tests/golden/books.txt" "$WEFT_SOURCE/tests/golden/web.txt"
 
 # What each comes to.
 for file in "$work"/case/*.knit; do
