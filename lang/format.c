@@ -302,22 +302,29 @@ static bool is_joined(const struct token *t)
     return t->first && !t->breaks && t->kind != '}' && t->kind != TOKEN_END;
 }
 
+/* One blank, or the line end that is among them. */
+static void break_words(struct format *f, const char *blanks, size_t n, int indent)
+{
+    if (memchr(blanks, '\n', n) || memchr(blanks, '\r', n))
+        layout_line(f->out, indent + 2 * STEP, false);
+    else
+        layout_add(f->out, " ", 1);
+}
+
 /* One blank between words, lines as they are. */
 static void format_words(struct format *f, struct span span, int indent)
 {
-    const char *text = f->source->text, *end = text + span.end;
+    static const char blank[] = " \t\f\v\r\n";
+    const char *text = f->source->text, *end = text + span.end, *word = text + span.start;
 
-    for (const char *word = text + span.start, *next; word < end; word = next) {
-        size_t n = strcspn(word, " \t\f\v\r\n"), blanks;
-
+    word += strspn(word, blank);
+    for (size_t n, blanks; word < end; word += n + blanks) {
+        n = strcspn(word, blank);
         n = word + n < end ? n : (size_t)(end - word);
-        blanks = strspn(word + n, " \t\f\v\r\n");
-        next = word + n + blanks;
+        blanks = strspn(word + n, blank);
         layout_add(f->out, word, n);
-        if (next < end && (memchr(word + n, '\n', blanks) || memchr(word + n, '\r', blanks)))
-            layout_line(f->out, indent + 2 * STEP, false);
-        else if (next < end)
-            layout_add(f->out, " ", 1);
+        if (word + n + blanks < end)
+            break_words(f, word + n, blanks, indent);
     }
 }
 
@@ -441,6 +448,7 @@ static void format_body(struct format *f, int indent)
         layout_add(f->out, " ", 1);
         format_statement(f, indent);
         layout_add(f->out, " ", 1);
+        layout_whole(f->out);
     } else if (!one_line) {
         format_statements(f, indent + STEP);
         layout_line(f->out, indent, false);

@@ -18,6 +18,7 @@ struct piece {
 struct line {
     int              indent;
     bool             gap;           /* an empty line before it */
+    bool             whole;         /* it is not broken */
     enum layout_kind kind;
     size_t           column;        /* the byte before which blanks go; 0: the line only goes with its neighbours */
     int              pad[2];        /* blanks before the column, before the comment */
@@ -103,8 +104,16 @@ void layout_print(struct layout *layout, const char *format, ...)
 
 void layout_column(struct layout *layout, enum layout_kind kind)
 {
-    last(layout)->kind = kind;
-    last(layout)->column = last(layout)->text.length;
+    struct line *line = last(layout);
+
+    if (!line->kind)
+        line->column = line->text.length;
+    line->kind = kind;
+}
+
+void layout_whole(struct layout *layout)
+{
+    last(layout)->whole = true;
 }
 
 void layout_comment(struct layout *layout, const char *text, size_t length)
@@ -188,14 +197,14 @@ static void blanks(struct arena *arena, struct piece *all, int n)
 }
 
 /* Fills lines up to their width, breaking where the text may be. */
-static void write_filled(struct arena *arena, struct piece *all, const char *text, int column, int indent)
+static void write_filled(struct arena *arena, struct piece *all, const char *text, int column, int indent, bool whole)
 {
     for (size_t length; *text; text += length) {
         int width;
 
         length = strcspn(text + 1, "\n") + 1;
         width = layout_characters(text, length);
-        if (*text == '\n' && column + width > LAYOUT_WIDTH) {
+        if (*text == '\n' && column + width > LAYOUT_WIDTH && !whole) {
             append(arena, all, "\n", 1);
             blanks(arena, all, indent);
             column = indent - 1;
@@ -221,7 +230,7 @@ static void write_line(struct arena *arena, struct piece *all, const struct line
     if (text->length)
         write_filled(arena, all, text->bytes + line->column,
                      line->indent + line->pad[0] + layout_characters(text->bytes, line->column),
-                     line->indent + GOES_ON);
+                     line->indent + GOES_ON, line->whole);
     if (line->comment.length) {
         blanks(arena, all, line->pad[1] + 2);
         append(arena, all, line->comment.bytes, line->comment.length);

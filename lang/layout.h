@@ -24,7 +24,10 @@ void layout_line(struct layout *, int indent, bool gap);
 void layout_add(struct layout *, const char *text, size_t length);
 void layout_print(struct layout *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Here the line's second part begins; at the line's begin: it has none, but
+/* The line is not broken. */
+void layout_whole(struct layout *);
+
+/* Here the line's second part begins, once for a line; at the line's begin: it has none, but
  * does not part the lines around it. */
 void layout_column(struct layout *, enum layout_kind);
 

@@ -120,14 +120,17 @@ static unsigned with_marks(const struct reader *reader, unsigned start)
     return behind_word(text, first, start);
 }
 
-/* Where the last of some line ends is behind; what follows on its line was read over with it. */
+/* Where what ends a line is behind: what follows on its line was read over with it. One that stands for a letter is
+ * before the word. */
 static unsigned line_within(const char *text, struct span span)
 {
     unsigned at = span.end;
 
-    while (at > span.start && !strchr("\r\n", text[at - 1]))
+    while (at > span.start && !strchr("\r\n.;(", text[at - 1]))
         at--;
-    return at > span.start ? at : span.end;
+    while (at > 0 && isalnum((unsigned char)text[at - 1]) && isalnum((unsigned char)text[at]))
+        at--;
+    return at;
 }
 
 /* The end of a word whose plain spelling is shorter: blanks stand for the rest of it. */
@@ -158,6 +161,8 @@ static void take(void *context, int kind, struct span span)
         span.start = with_marks(reader, span.start);
     if (kind == TOKEN_PROSE)
         span.end = behind_spelling(reader, span.end);
+    while (span.end > span.start && strchr(" \t\f\v", reader->source->text[span.end - 1]))
+        span.end--;
     breaks = add_gap(reader, span.start);
     token = (struct token){.kind = kind, .first = reader->first, .breaks = breaks, .span = span};
     if (token.first || reader->opened)
