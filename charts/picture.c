@@ -3,6 +3,7 @@
 #include "charts/picture.h"
 
 #include <png.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -15,26 +16,34 @@ static const struct colour_key black_and_white = {2, ink_and_paper};
 
 /* ---- the key ---- */
 
-/* The colour a text begins with, which moves behind it. */
-static bool read_colour(const char **text, unsigned *colour)
+/* `#rrggbb`, or `#rgb` for short. */
+static bool read_digits(const char **text, unsigned *colour)
 {
-    static const struct {
-        const char *word;
-        unsigned    colour;
-    } words[] = {{"black", BLACK}, {"white", WHITE}};
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strncasecmp(*text, words[i].word, strlen(words[i].word)) == 0) {
-            *colour = words[i].colour;
-            *text += strlen(words[i].word);
-            return true;
-        }
-    if (**text != '#' || strspn(*text + 1, "0123456789abcdefABCDEF") != 6)
+    size_t n = **text == '#' ? strspn(*text + 1, "0123456789abcdefABCDEF") : 0;
+    if (n != 3 && n != 6)
         return false;
     *colour = 0;
-    for (const char *digit = *text + 1; digit < *text + 7; digit++)
-        *colour = 16 * *colour + (unsigned)(*digit <= '9' ? *digit - '0' : (*digit | 0x20) - 'a' + 10);
-    *text += 7;
+    for (const char *digit = *text + 1; digit <= *text + n; digit++) {
+        unsigned value = (unsigned)(*digit <= '9' ? *digit - '0' : (*digit | 0x20) - 'a' + 10);
+        *colour = n == 3 ? *colour << 8 | value << 4 | value : *colour << 4 | value;
+    }
+    *text += 1 + n;
     return true;
+}
+
+/* Which of the words a text begins with, and its value; the text moves behind it. */
+struct word {
+    const char *word;
+    unsigned    value;
+};
+
+static bool read_word(const struct word *word, const char **text, unsigned *value)
+{
+    while (word->word && strncasecmp(*text, word->word, strlen(word->word)) != 0)
+        word++;
+    *value = word->value;
+    *text += word->word ? strlen(word->word) : 0;
+    return word->word != NULL;
 }
 
 /* The key's stitch for a colour; -1: it has none. */
@@ -46,20 +55,30 @@ static int stitch_of(const struct colour_key *key, unsigned colour)
     return -1;
 }
 
+static const char *skip_blanks(const char *text)
+{
+    return text + strspn(text, " \t");
+}
+
 /* `#000000=k`, and what follows: a comma or the end. */
 static const char *read_entry(struct arena *arena, const struct colour_key *key, struct colour *entry, const char **text)
 {
-    const char *start = *text;
-    if (!read_colour(text, &entry->rgb))
+    static const struct word colours[] = {{"black", BLACK}, {"white", WHITE}, {NULL, 0}};
+    static const struct word stitches[] = {
+        {"knit", STITCH_K}, {"k", STITCH_K}, {"purl", STITCH_P}, {"p", STITCH_P}, {NULL, 0}};
+    const char *start = *text = skip_blanks(*text), *end;
+    unsigned stitch;
+    if (!read_word(colours, text, &entry->rgb) && !read_digits(text, &entry->rgb))
         return arena_printf(arena, "'%s' begins with no colour; one is #rrggbb, black or white", start);
-    if (**text != '=' || !(*text)[1] || !strchr("kKpP", (*text)[1]) || ((*text)[2] && (*text)[2] != ','))
+    end = *text + 1;
+    if (**text != '=' || !read_word(stitches, &end, &stitch) || (*(end = skip_blanks(end)) && *end != ','))
         return arena_printf(arena, "behind the colour of '%s' must stand =k or =p", start);
     if (key->n == KEYS)
         return arena_printf(arena, "a key may have %d colours", KEYS);
     if (stitch_of(key, entry->rgb) >= 0)
         return arena_printf(arena, "the colour #%06x has a meaning already", entry->rgb);
-    entry->stitch = strchr("kK", (*text)[1]) ? STITCH_K : STITCH_P;
-    *text += 2;
+    entry->stitch = (stitch_id)stitch;
+    *text = end;
     return NULL;
 }
 
@@ -93,15 +112,14 @@ static struct span whole(struct arena *arena, const struct source *source)
     return (struct span){picture, 0, 0};
 }
 
-static bool check_size(struct diag *diag, const struct source *source, const png_image *image)
+static bool check_size(struct diag *diag, const struct source *source, unsigned width, unsigned height)
 {
     struct span span = whole(diag->arena, source);
-    if (image->height > LIMIT_ROWS)
-        diag_error(diag, CODE_LIMIT_ROWS, span, "the picture is %u pixels high; a fabric may have %d rows", image->height,
-                   LIMIT_ROWS);
-    else if (image->width > LIMIT_STITCHES / image->height)
-        diag_error(diag, CODE_LIMIT_STITCHES, span, "the picture is %u x %u pixels; a fabric may have %d stitches",
-                   image->width, image->height, LIMIT_STITCHES);
+    if (height > LIMIT_ROWS)
+        diag_error(diag, CODE_LIMIT_ROWS, span, "the picture is %u pixels high; a fabric may have %d rows", height, LIMIT_ROWS);
+    else if (width > LIMIT_STITCHES / height)
+        diag_error(diag, CODE_LIMIT_STITCHES, span, "the picture is %u x %u pixels; a fabric may have %d stitches", width,
+                   height, LIMIT_STITCHES);
     return !diag->nerrors;
 }
 
@@ -123,27 +141,91 @@ static bool chunks_are_there(const struct source *source)
     return false;
 }
 
-/* The pixels, four bytes each: red, green, blue, opacity; the top row first. NULL after an error. */
-static const unsigned char *read_pixels(struct arena *arena, struct diag *diag, const struct source *source,
-                                        png_image *image)
+/* A file being read: what libpng has had of it, what it says is wrong, and what comes out. */
+struct reader {
+    const struct source *source;
+    size_t               at;
+    char                 why[80];
+    struct pixels {
+        unsigned             width, height;
+        const unsigned char *rgba;      /* four bytes each, red, green, blue, opacity; the top row first */
+    } pixels;
+};
+
+static void take(png_structp png, png_bytep to, size_t n)
 {
-    const unsigned char *pixel = NULL;
+    struct reader *reader = png_get_io_ptr(png);
+    if (n > reader->source->size - reader->at)
+        png_error(png, "it ends too early");
+    memcpy(to, reader->source->text + reader->at, n);
+    reader->at += n;
+}
+
+static void give_up(png_structp png, const char *why)
+{
+    struct reader *reader = png_get_error_ptr(png);
+    snprintf(reader->why, sizeof reader->why, "%s", why);
+    png_longjmp(png, 1);
+}
+
+static void keep_quiet(png_structp png, const char *warning)
+{
+    (void)png, (void)warning;
+}
+
+/* Whatever the file has, as red, green, blue and opacity of eight bits: the file's own values, as a painting program
+ * shows them.  libpng's simplified reading would bring all to one colour space, and mixes the rows of interlaced
+ * pictures of 16 bits. */
+static void ask_for_rgba(png_structp png, png_infop info)
+{
+    png_set_expand(png);
+    png_set_scale_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 255, PNG_FILLER_AFTER);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+}
+
+/* From the signature to the last row; libpng leaves by setjmp where something is wrong. */
+static void read_file(png_structp png, png_infop info, struct arena *arena, struct diag *diag, struct reader *reader)
+{
+    struct pixels *pixels = &reader->pixels;
+    if (setjmp(png_jmpbuf(png)))
+        return;
+    png_set_read_fn(png, reader, take);
+    png_read_info(png, info);
+    pixels->width = png_get_image_width(png, info);
+    pixels->height = png_get_image_height(png, info);
+    if (!check_size(diag, reader->source, pixels->width, pixels->height))
+        return;
+    ask_for_rgba(png, info);
+    unsigned char *rgba = arena_array(arena, unsigned char, (size_t)4 * pixels->width * pixels->height);
+    unsigned char **row = arena_array(arena, unsigned char *, pixels->height);
+    for (size_t y = 0; y < pixels->height; y++)
+        row[y] = rgba + 4 * y * pixels->width;
+    png_read_image(png, row);
+    pixels->rgba = rgba;
+}
+
+/* The pixels of a file; none after an error. */
+static struct pixels read_pixels(struct arena *arena, struct diag *diag, const struct source *source)
+{
+    struct reader *reader = arena_new(arena, struct reader);
+    *reader = (struct reader){.source = source, .why = "there is no memory left"};
     if (!picture_is_png(source))
         diag_error(diag, CODE_PICTURE, whole(arena, source), "this is no PNG picture");
     else if (!chunks_are_there(source))
         diag_error(diag, CODE_PICTURE, whole(arena, source), "this picture cannot be read: it ends too early");
-    else if (png_image_begin_read_from_memory(image, source->text, source->size)) {
-        image->format = PNG_FORMAT_RGBA;
-        image->flags |= PNG_IMAGE_FLAG_16BIT_sRGB;      /* where the file does not say otherwise, as with 8 bits */
-        if (check_size(diag, source, image)) {
-            unsigned char *room = arena_array(arena, unsigned char, PNG_IMAGE_SIZE(*image));
-            pixel = png_image_finish_read(image, NULL, room, 0, NULL) ? room : NULL;
-        }
+    else {
+        png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, reader, give_up, keep_quiet);
+        png_infop info = png ? png_create_info_struct(png) : NULL;
+        if (info)
+            read_file(png, info, arena, diag, reader);
+        png_destroy_read_struct(&png, &info, NULL);
     }
-    if (!pixel && !diag->nerrors)
-        diag_error(diag, CODE_PICTURE, whole(arena, source), "this picture cannot be read: %s", image->message);
-    png_image_free(image);
-    return pixel;
+    if (!reader->pixels.rgba && !diag->nerrors)
+        diag_error(diag, CODE_PICTURE, whole(arena, source), "this picture cannot be read: %s", reader->why);
+    return reader->pixels;
 }
 
 /* ---- its stitches ---- */
@@ -173,43 +255,85 @@ static struct span pixel_span(struct arena *arena, const char *name, const struc
     return (struct span){source, start, start + 1};
 }
 
-/* The first pixel the key does not know, and how many more there are. */
-static void unknown_colour(struct diag *diag, struct span span, const unsigned char *p, size_t at, size_t columns,
-                           long long more)
+static unsigned rgb_at(const struct pixels *pixels, size_t at)
 {
-    size_t x = at % columns, y = at / columns;
-    unsigned rgb = p[0] * 0x10000u + p[1] * 0x100u + p[2];
-    if (p[3] < 255)
+    const unsigned char *p = pixels->rgba + 4 * at;
+    return p[0] * 0x10000u + p[1] * 0x100u + p[2];
+}
+
+/* How many colours a picture has, and the first but `one`, else white. */
+static int count_colours(struct arena *arena, const struct pixels *pixels, unsigned one, unsigned *other)
+{
+    enum { ALL = 1 << 24 };
+    unsigned char *seen = arena_array(arena, unsigned char, ALL / 8);
+    int n = 0;
+    bool found = false;
+    *other = one == WHITE ? BLACK : WHITE;
+    for (size_t at = 0; at < (size_t)pixels->width * pixels->height; at++) {
+        unsigned rgb = rgb_at(pixels, at), bit = 1u << rgb % 8;
+        if (seen[rgb / 8] & bit)
+            continue;
+        seen[rgb / 8] |= (unsigned char)bit;
+        n++;
+        if (rgb != one && !found)
+            *other = rgb;
+        found |= rgb != one;
+    }
+    return n;
+}
+
+/* What to do about a colour without a meaning: a key with this picture's colours, or another picture. */
+static void hint_at_key(struct diag *diag, const struct pixels *pixels, size_t at, bool has_key)
+{
+    enum { MANY = 16 };
+    unsigned other, rgb = rgb_at(pixels, at);
+    int ncolours = count_colours(diag->arena, pixels, rgb, &other);
+    if (ncolours > MANY)
+        diag_hint(diag, "a chart has a pixel for each stitch and a colour for each kind of stitch; this picture has %d colours",
+                  ncolours);
+    else if (has_key)
+        diag_hint(diag, "add it to the key: `#%06x=k` or `#%06x=p`", rgb, rgb);
+    else
+        diag_hint(diag, "`weft import` says what colours mean: `--key '#%06x=k,#%06x=p'`", rgb, other);
+}
+
+/* The first pixel the key does not know, and how many more there are. */
+static void unknown_colour(struct diag *diag, struct span span, const struct pixels *pixels, size_t at, long long more,
+                           bool has_key)
+{
+    size_t x = at % pixels->width, y = at / pixels->width;
+    bool clear = pixels->rgba[4 * at + 3] < 255;
+    if (clear)
         diag_error(diag, CODE_COLOUR, span, "the pixel at x = %zu, y = %zu is transparent", x, y);
     else
-        diag_error(diag, CODE_COLOUR, span, "the pixel at x = %zu, y = %zu is #%06x, which the key does not have", x, y, rgb);
+        diag_error(diag, CODE_COLOUR, span, "the pixel at x = %zu, y = %zu is #%06x, which the key does not have", x, y,
+                   rgb_at(pixels, at));
     diag_note(diag, (struct span){0}, "x counts from 0 at the left, y from 0 at the top%s",
               more ? arena_printf(diag->arena, "; %lld more pixels are not in the key", more) : "");
-    if (p[3] < 255)
+    if (clear)
         diag_hint(diag, "fill what is transparent with a colour");
     else
-        diag_hint(diag, "`weft import` says what colours mean: `--key '#%06x=k,#ffffff=p'`", rgb);
+        hint_at_key(diag, pixels, at, has_key);
 }
 
 struct pattern picture_read(struct arena *arena, struct diag *diag, const struct source *source,
                             const struct colour_key *key)
 {
     struct pattern pattern = {.across = 1, .up = 1};
-    png_image image = {.version = PNG_IMAGE_VERSION};
-    const unsigned char *pixel = read_pixels(arena, diag, source, &image);
-    if (!pixel)
+    struct pixels pixels = read_pixels(arena, diag, source);
+    if (!pixels.rgba)
         return pattern;
 
     stitch_id *cell;
-    const struct grid *picture = grid_new(arena, (int)image.width, (int)image.height, &cell);
-    size_t n = (size_t)image.width * image.height, first = n;
+    const struct grid *picture = grid_new(arena, (int)pixels.width, (int)pixels.height, &cell);
+    size_t n = (size_t)pixels.width * pixels.height, first = n;
     for (size_t i = 0; i < n; i++) {
-        cell[i] = stitch_at(key ? key : &black_and_white, pixel + 4 * i);
+        cell[i] = stitch_at(key ? key : &black_and_white, pixels.rgba + 4 * i);
         first = cell[i] == UNKNOWN && first == n ? i : first;
     }
     if (first < n)
-        unknown_colour(diag, pixel_span(arena, source->name, picture, first), pixel + 4 * first, first, image.width,
-                       grid_count(picture, UNKNOWN) - 1);
+        unknown_colour(diag, pixel_span(arena, source->name, picture, first), &pixels, first,
+                       grid_count(picture, UNKNOWN) - 1, key != NULL);
     else
         pattern.grid = grid_flip(arena, picture);
     pattern.remark = key ? NULL : "black is taken as knit, white as purl";

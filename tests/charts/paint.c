@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * Letters on standard input (k black, p white, r red, g gray, h half transparent,
  * t transparent; the top row first) in, a PNG file of the kind wanted out:
- * paint rgb|rgba|gray|indexed|deep|deep_srgb|interlaced PATH. */
+ * paint rgb|rgba|gray|indexed|deep|deep_srgb|interlaced|deep_interlaced|linear PATH. */
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,13 +14,16 @@ static const struct {
     const char *kind;
     unsigned    format;
     int         depth, interlace;
-} kinds[] = {{"rgb", PNG_FORMAT_RGB, 0, 0},
-             {"rgba", PNG_FORMAT_RGBA, 0, 0},
-             {"gray", PNG_FORMAT_GRAY, 0, 0},
-             {"indexed", PNG_FORMAT_RGB_COLORMAP, 0, 0},
-             {"deep", PNG_FORMAT_LINEAR_RGB, 0, 0},
-             {"deep_srgb", PNG_FORMAT_RGB, 16, PNG_INTERLACE_NONE},
-             {"interlaced", PNG_FORMAT_RGB, 8, PNG_INTERLACE_ADAM7}};
+    double      gamma;
+} kinds[] = {{"rgb", PNG_FORMAT_RGB, 0, 0, 0},
+             {"rgba", PNG_FORMAT_RGBA, 0, 0, 0},
+             {"gray", PNG_FORMAT_GRAY, 0, 0, 0},
+             {"indexed", PNG_FORMAT_RGB_COLORMAP, 0, 0, 0},
+             {"deep", PNG_FORMAT_LINEAR_RGB, 0, 0, 0},
+             {"deep_srgb", PNG_FORMAT_RGB, 16, PNG_INTERLACE_NONE, 0},
+             {"interlaced", PNG_FORMAT_RGB, 8, PNG_INTERLACE_ADAM7, 0},
+             {"deep_interlaced", PNG_FORMAT_RGB, 16, PNG_INTERLACE_ADAM7, 0},
+             {"linear", PNG_FORMAT_RGB, 8, PNG_INTERLACE_NONE, 1}};
 enum { NKINDS = sizeof kinds / sizeof *kinds };
 
 static const struct {
@@ -55,8 +58,9 @@ static unsigned char *put(unsigned char *to, unsigned format, int colour)
     return to + n * (format & PNG_FORMAT_FLAG_LINEAR ? 2 : 1);
 }
 
-/* Red, green and blue of each pixel in so many bits, without a word on the colour space; 0: done. */
-static int write_steps(const char *path, const png_image *image, const unsigned char *pixel, int depth, int interlace)
+/* Red, green and blue of each pixel in so many bits, without a word on the colour space but a gamma; 0: done. */
+static int write_steps(const char *path, const png_image *image, const unsigned char *pixel, int depth, int interlace,
+                       double gamma)
 {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png_create_info_struct(png);
@@ -68,6 +72,8 @@ static int write_steps(const char *path, const png_image *image, const unsigned 
     png_init_io(png, file);
     png_set_IHDR(png, info, image->width, image->height, depth, PNG_COLOR_TYPE_RGB, interlace, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
+    if (gamma > 0)
+        png_set_gAMA(png, info, gamma);
     for (unsigned y = 0; y < image->height; y++) {
         row[y] = malloc(n * bytes);
         for (size_t i = 0; i < n * bytes; i++)
@@ -103,6 +109,6 @@ int main(int argc, char **argv)
         image.height++;
     }
     if (argc == 3 && kinds[kind].depth)
-        return write_steps(argv[2], &image, pixel, kinds[kind].depth, kinds[kind].interlace);
+        return write_steps(argv[2], &image, pixel, kinds[kind].depth, kinds[kind].interlace, kinds[kind].gamma);
     return argc != 3 || !png_image_write_to_file(&image, argv[2], 0, pixel, 0, map);
 }

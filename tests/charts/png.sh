@@ -14,7 +14,7 @@ same() {
     check 'has the grid' sh -c '"$1" chart --grid "$2/again.knit" | diff "$2/flag.txt" -' - "$WEFT" "$work"
 }
 
-for kind in rgb rgba gray indexed deep deep_srgb interlaced; do
+for kind in rgb rgba gray indexed deep deep_srgb interlaced deep_interlaced; do
     printf 'kkkp\nkkpp\nkppp\n' | "$paint" "$kind" "$work/flag.png"
     same "$kind" "$work/flag.png"
     err 'what the colours are taken for is said' 'flag.png: black is taken as knit, white as purl'
@@ -29,8 +29,9 @@ printf 'ppprrr\n' | sed 's/ppprrr/rrrk/;p;s/.*/rrkk/;p;s/.*/rkkk/' | "$paint" rg
 same 'a key' "$work/red.png" --key '#ff0000=k,black=p'
 empty 'needs no saying' "$work/err"
 same 'a key of capitals' "$work/red.png" --key '#000000=P,#FF0000=K,#123456=k'
+same 'a key with blanks, words and short colours' "$work/red.png" --key ' #000=purl, #f00=Knit '
 
-for kind in rgb deep_srgb; do
+for kind in rgb deep_srgb deep_interlaced linear; do
     printf 'gggk\nggkk\ngkkk\n' | "$paint" "$kind" "$work/gray.png"
     same "a gray of its own, $kind" "$work/gray.png" --key '#808080=k,black=p'
 done
@@ -41,9 +42,18 @@ red.png:1:1: error: the pixel at x = 0, y = 0 is #ff0000, which the key does not
    1 | ???k
      | ^
 note: x counts from 0 at the left, y from 0 at the top; 5 more pixels are not in the key
-hint: `weft import` says what colours mean: `--key '#ff0000=k,#ffffff=p'`
+hint: `weft import` says what colours mean: `--key '#ff0000=k,#000000=p'`
 TEXT
 empty 'nothing comes out' "$work/out"
+printf 'rrg\n' | "$paint" rgb "$work/two.png"
+exits 3 'two other colours' "$WEFT" import "$work/two.png"
+err 'stand in the key that is proposed' "^hint: .*--key '#ff0000=k,#808080=p'"
+exits 3 'a colour that is missing in a key' "$WEFT" import "$work/two.png" --key '#808080=p'
+err 'is one to add' '^hint: add it to the key: `#ff0000=k` or `#ff0000=p`$'
+"$WEFT" import "$work/flag.txt" | "$WEFT" chart - -o "$work/drawn.png"
+exits 3 'a drawing of a chart' "$WEFT" import "$work/drawn.png"
+err 'is no chart of a pixel a stitch' \
+    '^hint: a chart has a pixel for each stitch and a colour for each kind of stitch; this picture has [0-9]* colours$'
 printf 'kkpk\nkprk\n' | "$paint" indexed "$work/one.png"
 exits 3 'one pixel' "$WEFT" import "$work/one.png"
 err 'at x, y' 'x = 2, y = 1 is #ff0000'
