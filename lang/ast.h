@@ -231,7 +231,8 @@ enum stmt_kind {
     STMT_FOR,
     STMT_IF,
     STMT_CHART,
-    STMT_PROSE          /* a line of a page that is no pattern; its span is all of it */
+    STMT_PROSE,         /* a line of a page that is no pattern; its span is all of it */
+    STMT_PAGE_CHART     /* what a page draws beside its rows; behind all other statements */
 };
 
 struct stmt {
@@ -256,6 +257,7 @@ struct stmt {
         struct { struct name_at name; struct range range; struct stmt *body; } loop;
         struct { struct expr *condition; struct stmt *then, *otherwise; } choice;
         struct { struct symbol *symbol; struct name_at *line; } chart;      /* lines: texts, top first */
+        const struct page_chart *page_chart;
     };
 };
 

@@ -9,6 +9,7 @@
 #include "lang/eval.h"
 #include "lang/limits.h"
 #include "lang/outputs.h"
+#include "lang/page_chart.h"
 #include "lang/params.h"
 #include "lang/settings.h"
 
@@ -254,6 +255,23 @@ static long long assumed_width(struct compilation *c, const struct body *body)
     return width > 0 && (width - plus) % of == 0 ? width : some_repeats(c->eval.diag, body->multiple.span, of, plus, 0);
 }
 
+/* What the page draws beside its rows; or NULL. */
+static const struct page_chart *page_chart_of(const struct compilation *c)
+{
+    const struct stmt *stmt = c->eval.main->file;
+
+    while (stmt && stmt->kind != STMT_PAGE_CHART)
+        stmt = stmt->next;
+    return stmt ? stmt->page_chart : NULL;
+}
+
+static const struct grid *checked_with_chart(struct compilation *c, const struct body *body, const struct grid *grid)
+{
+    const struct page_chart *chart = page_chart_of(c);
+
+    return !grid || !chart || page_chart_agrees(c->eval.diag, chart, grid, body->rows) ? grid : NULL;
+}
+
 static const struct grid *grid_of_body(struct compilation *c, struct body *body)
 {
     struct eval *eval = &c->eval;
@@ -263,6 +281,8 @@ static const struct grid *grid_of_body(struct compilation *c, struct body *body)
         return body->chart;
     if (!rows_finish(body->rows))
         return NULL;
+    if (!rows_count(body->rows) && page_chart_of(c))
+        return page_chart_fabric(eval->diag, page_chart_of(c), body->cast_on_span, width);
     if (!rows_count(body->rows)) {
         diag_error(eval->diag, CODE_EMPTY_MOTIF, body->first, "there is no row to knit");
         return NULL;
@@ -275,7 +295,7 @@ static const struct grid *grid_of_body(struct compilation *c, struct body *body)
         width = open_width(c, body);
     if (!width || !fabric_size(eval, body->first, width, rows_count(body->rows)))
         return NULL;
-    return rows_grid(body->rows, (int)width, 0, body->cast_on ? WIDTH_CAST_ON : WIDTH_ROWS, eval->ws);
+    return checked_with_chart(c, body, rows_grid(body->rows, (int)width, 0, body->cast_on ? WIDTH_CAST_ON : WIDTH_ROWS, eval->ws));
 }
 
 /* Rows, loops and a cast-on at the top of the file. */

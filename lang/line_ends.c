@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/page_chart.h"
 #include "lang/prose.h"
 #include "lang/syntax.h"
 #include "lang/words.h"
@@ -123,7 +124,7 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
 {
     const char *next = SCANNER_TEXT(scanner);
 
-    if (!*next || (statement_follows(scanner, next) && !(in_row && scanner_in_row_head(scanner) && prose_row_line(next))))
+    if (!*next || page_chart_line(scanner->parse->chart, scanner->at).source || (statement_follows(scanner, next) && !(in_row && scanner_in_row_head(scanner) && prose_row_line(next))))
         return true;
     if (scanner_in_bracket(scanner))
         return false;

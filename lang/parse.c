@@ -9,6 +9,7 @@
 #include "lang/limits.h"
 #include "lang/marks.h"
 #include "lang/named.h"
+#include "lang/page_chart.h"
 #include "lang/scanner.h"
 #include "lang/wording.h"
 #include "lang/words.h"
@@ -244,6 +245,33 @@ const char *source_plain(struct arena *arena, const struct source *source)
     return wording_plain(arena, named_plain(arena, marks_plain(arena, text ? text : source->text, source->size), source->size), source->size);
 }
 
+const char *source_read_as(struct arena *arena, const struct source *source, const struct page_chart *chart)
+{
+    const char *plain = source_plain(arena, source);
+    char *text = chart ? arena_copy(arena, plain, source->size) : NULL;
+
+    for (int i = 0; chart && i < chart->lines; i++) {
+        unsigned start = chart->line[i].start - (chart->line[i].start > 0), end = chart->line[i].end + (chart->line[i].end < source->size);
+
+        memcpy(text + start, source->text + start, end - start);
+    }
+    return text ? text : plain;
+}
+
+/* Puts the page's chart behind the statements. */
+static void append_chart(struct parse *parse)
+{
+    struct stmt **last = &parse->file, *stmt;
+
+    if (!parse->chart)
+        return;
+    stmt = ast_stmt(parse, STMT_PAGE_CHART, parse->chart->row[0].line);
+    stmt->page_chart = parse->chart;
+    while (*last)
+        last = &(*last)->next;
+    *last = stmt;
+}
+
 struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names,
                         const struct source *source)
 {
@@ -252,10 +280,12 @@ struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *na
 
     if (!is_script(diag, source, source->text + scanner.at))
         return NULL;
-    parse.text = source_plain(arena, source);
+    parse.chart = page_chart_find(arena, source);
+    parse.text = source_read_as(arena, source, parse.chart);
     parse.joined = wording_is_joined(source->text);
     parse.scanner = &scanner;
     scanner_parse(&scanner);
+    append_chart(&parse);
     return parse.file;
 }
 

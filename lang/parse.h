@@ -17,6 +17,7 @@ struct parse {
     struct stmt         *file;          /* the result: statements, */
     struct expr         *expression;    /* or the value of an option */
     struct scanner      *scanner;
+    const struct page_chart *chart;     /* a page's, whose lines are text; or NULL */
     bool                 joined;        /* in the round: what is called a row is one */
     struct words_line    line;          /* of the source that an error was in last */
     struct span          knitted;       /* a part of it without a word that cannot be knitted */
@@ -31,6 +32,9 @@ struct expr *parse_expression(struct arena *, struct diag *, struct names *, con
 
 /* The text with every kind of blank as a plain one, byte for byte at its place. */
 const char *source_plain(struct arena *, const struct source *);
+
+/* The same where a page's chart is, whose lines stay. */
+const char *source_read_as(struct arena *, const struct source *, const struct page_chart *);
 
 /* Bytes of the blank a text begins with, a no-break or other space of a page among them; 0: none. */
 size_t source_blank(const char *text);

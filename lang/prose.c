@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page_chart.h"
 #include "lang/refused.h"
 #include "lang/scanner.h"
 #include "lang/settings.h"
@@ -395,6 +396,8 @@ size_t prose_length(const struct scanner *scanner, const char *text)
 {
     size_t line = words_line_length(text);
 
+    if (page_chart_line(scanner->parse->chart, (unsigned)(text - scanner->parse->text)).source)
+        return line;
     for (size_t i = 0; !scanner->section && i < line; i++) {
         const char *next = words_skip_blanks(text + i + 1);
 

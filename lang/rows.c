@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/limits.h"
 #include "lang/row_list.h"
 
 struct row_list *rows_new(struct arena *arena, struct diag *diag)
@@ -110,6 +111,20 @@ static int rows_before_first(const struct row_list *list)
     while (n < list->norder && !list->order[n]->label)
         n++;
     return n < list->norder ? n : 0;
+}
+
+int rows_place(const struct row_list *list, long number)
+{
+    int before = rows_before_first(list), labels = list->last_label;
+    long place = before + number - list->first_label;
+
+    if (list->first_label != 1 || number < 1 || number > LIMIT_ROWS || labels < 1)
+        return -1;
+    if (number > labels && place >= list->norder)
+        place = labels % 2 && !list->round ? -1 : before + (number - 1) % labels;
+    if (place < 0 || place >= list->norder || (number <= labels && list->order[place] != list->label[number]))
+        return -1;
+    return (int)place;
 }
 
 /* After a repeat the count may go on with the number of rows worked so far, without those before row 1: those that were

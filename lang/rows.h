@@ -137,6 +137,10 @@ bool rows_good(const struct row_list *);
 bool rows_round(const struct row_list *);
 int rows_count(const struct row_list *);
 
+/* The place in the order of work, from 0, of the row with a number; where it is beyond the rows as they are numbered,
+ * of the one that it repeats. -1: there is none. */
+int rows_place(const struct row_list *, long number);
+
 /* The count behind the first row that has one, `(24 sts)`; 0: none has. */
 long long rows_said_width(const struct row_list *);
 

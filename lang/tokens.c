@@ -7,6 +7,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/page_chart.h"
 #include "lang/scanner.h"
 
 struct reader {
@@ -178,8 +179,9 @@ static void take(void *context, int kind, struct span span)
 struct tokens tokens_read(struct arena *arena, struct names *names, const struct source *source)
 {
     struct diag diag;
-    struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source,
-                          .text = source_plain(arena, source)};
+    const struct page_chart *chart = page_chart_find(arena, source);
+    struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source, .chart = chart,
+                          .text = source_read_as(arena, source, chart)};
     struct scanner scanner = {.parse = &parse, .at = source_start(source), .start = TOKEN_START_FILE};
     struct reader reader = {.arena = arena, .source = source, .plain = parse.text, .end = scanner.at, .first = true};
 
