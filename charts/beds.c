@@ -228,6 +228,8 @@ void beds_transfer(struct beds *b, struct needle n, struct needle to, struct spa
         return;
     if (b->phase == KNITTING && b->rack != 0)
         not_plain(b, span, "a transfer while the beds are racked moves a stitch aside: cables and lace are not plain");
+    if (b->phase == CLOSING)
+        b->worked = 0;
     move(b, n, to);
 }
 

@@ -23,16 +23,18 @@ static void stitch(struct text *text, const char *operation, int direction, char
     text_bytes(text, line, (size_t)n);
 }
 
-/* Every other needle leftward, then those between: the loops lie on the beds the
- * first row wants, and the carrier ends at the right. */
+/* Every other needle leftward to the first, then those between: the loops lie on the beds the first row wants. The
+ * carrier ends to the right of all; of an odd number, past the last, which has its loop. */
 static void cast_on(struct text *text, const struct grid *g)
 {
-    int last = g->columns - 1, first_way = last > 0 ? LEFTWARD : RIGHTWARD;
+    int last = g->columns - 1;
     text_print(text, "\n; cast on %d\ninhook " CARRIER "\n", g->columns);
-    for (int i = last; i >= 0; i -= 2)
-        stitch(text, "tuck", first_way, bed(g, i, 0), i);
-    for (int i = last % 2 == 0; i < last; i += 2)
+    for (int i = last - last % 2; i >= 0; i -= 2)
+        stitch(text, "tuck", LEFTWARD, bed(g, i, 0), i);
+    for (int i = 1; i <= last; i += 2)
         stitch(text, "tuck", RIGHTWARD, bed(g, i, 0), i);
+    if (last % 2 == 0)
+        stitch(text, "miss", RIGHTWARD, bed(g, last, 0), last);
 }
 
 static void transfer(struct text *text, const struct grid *g, int row)

@@ -16,10 +16,10 @@ check 'is knitted bottom row first, and moves two stitches' diff - "$work/flag.k
 
 ; cast on 4
 inhook 1
-tuck - b4 1
-tuck - b2 1
-tuck + f1 1
-tuck + b3 1
+tuck - b3 1
+tuck - f1 1
+tuck + b2 1
+tuck + b4 1
 
 ; row 1
 knit - b4 1
@@ -52,6 +52,19 @@ TEXT
 printf 'motif flag { chart { kp } }\nswatch flag\noutput chart "%s/run.k"\nsolve { steps = 1 }\n' "$work" >"$work/run.knit"
 exits 0 'as an output of a run' "$WEFT" "$work/run.knit"
 check 'is knitout' grep -q '^knit - b2 1$' "$work/run.k"
+printf 'swatch tile(P, 3, 1)\n' >"$work/three.knit"
+cat >"$work/cast" <<'TEXT'
+tuck - b3 1
+tuck - b1 1
+tuck + b2 1
+miss + b3 1
+
+; row 1
+knit - b3 1
+TEXT
+exits 0 'an odd number of stitches' "$WEFT" chart "$work/three.knit" -o "$work/three.k"
+check 'is cast on with a step past the last' sh -c \
+    'sed -n "/^tuck/,/^knit/p" "$1/three.k" | diff - "$1/cast"' - "$work"
 printf 'stitch T { kx = 1 }\nswatch tile(T, 2, 2)\n' >"$work/own.knit"
 exits 3 'a stitch of the script itself' "$WEFT" chart "$work/own.knit" -o "$work/own.k"
 err 'is not one of a machine' 'the stitch T is neither knit nor purl'
@@ -135,6 +148,14 @@ reads 'a bind-off that draws each stitch through the next' \
 K K K
 TEXT
 err 'is said' 'rows from line 7 to line 9, bound off behind them$'
+reads 'one that begins with the last stitch knitted, of six' "in 1|$(for i in 6 4 2; do printf 'tuck - f%d 1|' $i; done
+    )$(for i in 1 3 5; do printf 'tuck + f%d 1|' $i; done)miss + f6 1$(for i in 6 5 4 3 2 1; do printf '|knit - f%d 1' $i; done
+    )$(for i in 1 2 3 4 5; do printf '|xfer f%d b%d|rack 1|xfer b%d f%d|rack 0|knit + f%d 1' $i $i $i $((i + 1)) $((i + 1)); done
+    )|out 1|drop f6" <<'TEXT'
+# 1 1
+K K K K K K
+TEXT
+err 'is said, too' 'bound off behind them$'
 reads 'drops in any wording, and stitches left on the needles' "$three|knit + f1|drop f2" <<'TEXT'
 # 1 1
 K K K

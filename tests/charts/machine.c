@@ -19,7 +19,7 @@ static struct {
     int  line, transfers;
     int  header, in, hooked, made;  /* the carriers named; the one carrier: in action, on the hook, stitches made */
     char carriers[1 << 17], carrier[32];
-    int  at, sign;                  /* twice the needle the carrier stands at, and the direction it came */
+    int  at;                        /* twice the needle the carrier stands at, one more or less: on which side */
 } m;
 
 static void wrong(const char *format, ...)
@@ -49,22 +49,15 @@ static void need_carrier(const char *name)
         wrong("the carrier %s is not in action", name ? name : "(none)");
 }
 
-/* A carrier that turns may first go on by one needle, as in the specification's own cast-on. */
-static int may_go_on_to(int n, int sign)
-{
-    return sign == -m.sign && sign * (2 * n - m.at) == -1;
-}
-
 /* The carrier moves past a needle in the direction; it must stand before it. */
 static void move_carrier(const char *direction, int n)
 {
     int sign = strcmp(direction, "+") == 0 ? 1 : strcmp(direction, "-") == 0 ? -1 : 0;
     if (!sign)
         wrong("no direction %s", direction);
-    if (m.made && sign * (2 * n - m.at) <= 0 && !may_go_on_to(n, sign))
+    if (m.made && sign * (2 * n - m.at) <= 0)
         wrong("the carrier stands behind needle %d already", n);
     m.at = 2 * n + sign;
-    m.sign = sign;
     m.made++;
 }
 
@@ -74,6 +67,14 @@ static void tuck(char **word)
     need_carrier(word[3]);
     move_carrier(word[1], n);
     m.loops[bed][n]++;
+}
+
+static void miss(char **word)
+{
+    int n;
+    bed_of(word[2], &n);
+    need_carrier(word[3]);
+    move_carrier(word[1], n);
 }
 
 static void knit(char **word)
@@ -149,7 +150,7 @@ static const struct {
     const char *name;
     int         words;
     void      (*work)(char **word);
-} operations[] = {{"tuck", 4, tuck},           {"knit", 4, knit},       {"xfer", 3, xfer}, {"drop", 2, drop},
+} operations[] = {{"tuck", 4, tuck},           {"knit", 4, knit}, {"miss", 4, miss}, {"xfer", 3, xfer}, {"drop", 2, drop},
                   {"inhook", 2, inhook}, {"releasehook", 2, releasehook}, {"outhook", 2, outhook}};
 
 static void work(char *line)
