@@ -8,6 +8,7 @@
 
 #include "lang/limits.h"
 #include "lang/parse.h"
+#include "lang/scanner.h"
 #include "lang/words.h"
 
 #define BLANKS " \t\f\v"
@@ -417,11 +418,22 @@ struct stmt *stmt_row(struct parse *parse, struct span span, struct row row)
     return stmt;
 }
 
+/* How far the sentence of a statement was read: words behind it may be blank by now. */
+static unsigned sentence_end(const struct parse *parse, struct span span)
+{
+    unsigned end = span.end;
+
+    while (end < parse->scanner->at && !strchr("\r\n#", parse->text[end]))
+        end++;
+    return end;
+}
+
 struct stmt *stmt_again(struct parse *parse, struct span span, struct again again)
 {
     struct stmt *stmt = ast_stmt(parse, STMT_AGAIN, span);
 
     stmt->again = again;
+    stmt->again.from = named_rows(&parse->named, span.start, sentence_end(parse, span), &stmt->again.several);
     return stmt;
 }
 

@@ -168,6 +168,8 @@ struct again {
     bool                open;           /* until a length, of which no gauge says how many rows it is */
     bool                assumed;        /* "work rows 1-4 twice": in all, where they were worked just before */
     bool                more;           /* "3 more times", never in all */
+    unsigned            from;           /* where the rows begin whose name is mentioned; 0: none is */
+    bool                several;        /* names are mentioned */
     struct expr        *n;
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };

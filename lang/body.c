@@ -375,6 +375,22 @@ static long long rows_to_length(const struct again *again, const struct body *bo
     return again->which == AGAIN_GO_ON ? n : (n + texts.n - 1) / texts.n * texts.n;
 }
 
+/* The pattern whose name is mentioned; false, with a message, where it cannot be told. */
+static bool choose_rows(struct eval *eval, const struct stmt *stmt, const struct again *again, struct body *body)
+{
+    const char *what = again->several                                    ? "rows of two names in one sentence"
+                       : again->from && again->which == AGAIN_LAST       ? "the last rows, and a pattern by its name"
+                       : again->from                                     ? "the rows of this name are not among these"
+                       : again->which != AGAIN_LAST && rows_to_choose(body->rows) ? "several patterns are above: which is meant is not said"
+                                                                         : NULL;
+
+    if (!what || (!again->several && again->from && again->which != AGAIN_LAST && rows_choose(body->rows, stmt->span, again->from)))
+        return true;
+    diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "%s", what);
+    diag_hint(eval->diag, "a sentence for each, with its name: `Work in Box Stitch for 8 rows`");
+    return false;
+}
+
 static bool run_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again,
                       struct body *body)
 {
@@ -384,6 +400,8 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
 
     rows_work(body->rows);
     if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
+        return false;
+    if (!choose_rows(eval, stmt, again, body))
         return false;
     if (again->which == AGAIN_GO_ON && again->kind == AGAIN_PATTERN && !rows_pattern(body->rows, true).n) {
         diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how long the pattern goes on is not said: no row more");
@@ -420,21 +438,40 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     return !again->then || run_again(eval, where, stmt, again->then, body);
 }
 
+/* Whether a statement works rows above the cast-on by their name. */
+static bool is_by_name(const struct stmt *stmt, const struct stmt *cast_on)
+{
+    return stmt->kind == STMT_AGAIN && stmt->again.from && stmt->again.from < cast_on->span.start;
+}
+
 /* What a cast-on behind rows makes of them: they are the piece, where nothing follows it; or a pattern that
  * is worked from there on, `Cast on 24 sts. Knit 2 rows. Work rows 1-4 3 times`; or it is misplaced. */
 enum rows_before { ROWS_PIECE, ROWS_PATTERN, ROWS_MISPLACED };
 
 static enum rows_before rows_before(const struct stmt *cast_on, const struct row_list *rows)
 {
-    bool follow = false, used = false;
+    bool follow = false, used = false, numbered = false;
 
     for (const struct stmt *stmt = cast_on->next; rows_any(rows) && stmt; stmt = stmt->next) {
-        if (stmt->kind == STMT_ROW && stmt->row.numbers)
-            return ROWS_MISPLACED;
+        if (is_by_name(stmt, cast_on))
+            return ROWS_PATTERN;
+        numbered |= stmt->kind == STMT_ROW && stmt->row.numbers;
         follow |= stmt->kind == STMT_ROW;
         used |= stmt->kind == STMT_AGAIN && stmt->again.which != AGAIN_LAST;
     }
-    return used ? ROWS_PATTERN : follow ? ROWS_MISPLACED : ROWS_PIECE;
+    return numbered ? ROWS_MISPLACED : used ? ROWS_PATTERN : follow ? ROWS_MISPLACED : ROWS_PIECE;
+}
+
+bool body_describes(const struct stmt *stmt)
+{
+    const struct stmt *cast_on = NULL;
+
+    for (; stmt; stmt = stmt->next) {
+        if (cast_on && is_by_name(stmt, cast_on))
+            return true;
+        cast_on = cast_on || stmt->kind != STMT_CAST_ON ? cast_on : stmt;
+    }
+    return false;
 }
 
 static bool run_cast_on(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
@@ -455,6 +492,7 @@ static bool run_cast_on(struct eval *eval, struct where where, const struct stmt
     }
     if (before == ROWS_PATTERN)
         rows_define(body->rows);
+    rows_describe(body->rows, false);
     body->cast_on_span = stmt->span;
     return eval_whole(eval, where, stmt->cast_on.n, 1, LIMIT_STITCHES, "the number of stitches",
                       &body->cast_on);

@@ -304,6 +304,7 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
     struct eval *eval = &c->eval;
     struct body body = {.rows = rows_new(eval->arena, eval->diag), .round = body_in_rounds(eval->main->file), .top = true};
 
+    rows_describe(body.rows, body_describes(eval->main->file));
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
         if (!makes_rows(stmt))
             continue;

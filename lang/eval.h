@@ -206,6 +206,7 @@ struct body {
     bool               failed;
     struct span        first;           /* of its first statement */
 };
+bool body_describes(const struct stmt *);   /* its rows above the cast-on are patterns, worked by their names */
 bool body_in_rounds(const struct stmt *);   /* by the first row that says what it is */
 void body_run(struct eval *, struct where, const struct stmt *, struct body *);
 void body_statement(struct eval *, struct where, const struct stmt *, struct body *);

@@ -29,5 +29,5 @@ lang/lexer.c: lang/lexer.l
 	    if grep -q yy_state_buf $@; then echo "lang/lexer.l: trailing context of any length" >&2; rm -f $@; exit 1; fi
 lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/token_values.$(OBJEXT) \
     lang/unreadable.$(OBJEXT) lang/brackets.$(OBJEXT) lang/line_ends.$(OBJEXT) lang/syntax.$(OBJEXT) lang/expected.$(OBJEXT) lang/parse.$(OBJEXT) \
-    lang/prose.$(OBJEXT) lang/format.$(OBJEXT) lang/row_words.$(OBJEXT) lang/spelling.$(OBJEXT) \
+    lang/ast.$(OBJEXT) lang/prose.$(OBJEXT) lang/format.$(OBJEXT) lang/row_words.$(OBJEXT) lang/spelling.$(OBJEXT) \
     lang/tokens.$(OBJEXT): lang/parser.h

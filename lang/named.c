@@ -1,17 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * A page's text in, the same with "pattern" for the name it gave to its rows out. */
+ * A page's text in, the same with "pattern" for the names it gave to its rows out. */
 #include "lang/named.h"
 
 #include "lang/headings.h"
 #include "lang/prose.h"
 #include "lang/words.h"
 
-enum { LONGEST_NAME = 40, LINES_BETWEEN = 3 };
+enum { LONGEST_NAME = 40, LINES_BETWEEN = 3, MOST_NAMES = 32 };
 
 /* A name's words but the last ones that say it is a pattern's: `Box` of `Box Stitch`. */
 struct name {
     const char *text;
     size_t      length;
+    const char *rows;       /* its row 1 */
+    bool        twice;      /* other rows have it, too */
+    bool        mentioned, figures;
+};
+
+struct names_of_page {
+    struct name name[MOST_NAMES];
+    int n;
 };
 
 static const char *const of_patterns[] = {"st", "sts", "stitch", "pattern", "patt", "pat"};
@@ -48,92 +56,223 @@ static bool is_about_rows(const char *text)
     return *text == '(' || (strchr("mMwWaAnN", *text) && words_find(text, word, sizeof word / sizeof *word) >= 0);
 }
 
-static bool rows_follow(const char *line)
+/* The row 1 that follows a line, but for remarks about it; or NULL. */
+static const char *rows_below(const char *line)
 {
     const char *next = next_line(line);
 
     for (int i = 0; i < LINES_BETWEEN && is_about_rows(next); i++)
         next = next_line(next);
-    return is_row_1(next);
+    return is_row_1(next) ? next : NULL;
 }
 
-/* The name that a line is, up to a bracket, a colon or a dash. */
-static struct name name_of(const char *line)
+/* `K2, P2 Rib`, `Pattern 2`: figures are a part of a name only beside such a word, and where no rows are counted. */
+static bool is_name_with_figures(const char *text, size_t length)
 {
-    size_t length = strcspn(line, "(:\r\n"), end = 0, heading;
+    static const char *const of_names[] = {"rib", "ribbing", "stitch", "pattern"};
+    bool named = false;
 
-    if (length > LONGEST_NAME || prose_row_word(line) || headings_find(line, &heading) || !isalpha((unsigned char)*line))
-        return (struct name){NULL, 0};
-    for (size_t at = 0; at < length && isalpha((unsigned char)line[at]); at += strspn(line + at, " '-")) {
-        size_t word = words_length(line + at);
+    for (size_t at = 0; at < length; at += words_length(text + at) ? words_length(text + at) : 1) {
+        if (words_are_rows(text + at))
+            return false;
+        named |= words_find(text + at, of_names, sizeof of_names / sizeof *of_names) >= 0;
+    }
+    return named;
+}
 
+/* The name that a line is, up to a bracket, a colon or a dash with a blank; without a length: it is none. */
+static struct name name_of(const char *line, const char *rows)
+{
+    size_t length = strcspn(line, "(:\r\n"), at = 0, end = 0, letters = 0, figures = 0, heading;
+
+    if (length > LONGEST_NAME || prose_row_word(line) || headings_find(line, &heading))
+        return (struct name){0};
+    while (at < length && isalnum((unsigned char)line[at]) && strncmp(line + at, "- ", 2) != 0) {
+        size_t word = strspn(line + at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"), letter = words_length(line + at);
+
+        letters += letter;
+        figures += letter < word;
         end = is_of_patterns(line + at) ? end : at + word;
         at += word;
+        at += strncmp(line + at, " - ", 3) == 0 ? 1 : strspn(line + at, letter < word ? " ,/-" : " '-");
     }
-    return (struct name){line, end};
+    if (figures ? at < length || !is_name_with_figures(line, at) : !letters)
+        return (struct name){0};
+    return (struct name){.text = line, .length = end, .rows = rows, .figures = figures > 0};
 }
 
-/* The name of the text's rows; no text: it has none, or rows 1 twice. */
-static struct name find_name(const char *text)
+static bool same_name(const struct name *a, const struct name *b)
 {
-    struct name name = {NULL, 0};
-    int rows = 0;
+    return a->length == b->length && strncasecmp(a->text, b->text, a->length) == 0;
+}
 
-    for (const char *line = text + strspn(text, " \t\r\n"); *line; line = next_line(line)) {
-        rows += is_row_1(line);
-        if (rows == 0 && !is_about_rows(line) && rows_follow(line))
-            name = name_of(line);
+/* The names of the text's rows. */
+static void find_names(const char *text, struct names_of_page *names)
+{
+    for (const char *line = text + strspn(text, " \t\r\n"); *line && names->n < MOST_NAMES; line = next_line(line)) {
+        const char *rows = is_row_1(line) || is_about_rows(line) ? NULL : rows_below(line);
+        struct name name = rows ? name_of(line, rows) : (struct name){0};
+
+        if (!name.length)
+            continue;
+        for (int i = 0; i < names->n; i++)
+            if (same_name(&name, &names->name[i]))
+                names->name[i].twice = name.twice = true;
+        names->name[names->n++] = name;
     }
-    return rows == 1 && name.length ? name : (struct name){NULL, 0};
 }
 
 /* How long the name, and what says that it is a pattern's, is at a place; or 0. */
-static size_t named_length(struct name name, const char *text)
+static size_t named_length(const struct name *name, const char *text)
 {
-    size_t n = name.length;
+    size_t n = name->length;
 
-    if (strncasecmp(text, name.text, n) != 0 || isalnum((unsigned char)text[n]))
+    if (text < name->rows || strncasecmp(text, name->text, n) != 0 || isalnum((unsigned char)text[n]))
         return 0;
     for (const char *next; next = words_skip_blanks(text + n), is_of_patterns(next);)
         n = (size_t)(next - text) + words_length(next);
     return n;
 }
 
-/* What the name is to be at a place of the text from `first` on: behind `in` or `of` the pattern, behind `work`
- * nothing before its rows, and else `in patt`. NULL: the word is no mention. */
+/* The longest name at a place; or NULL. */
+static struct name *name_at(struct names_of_page *names, const char *text, size_t *length)
+{
+    struct name *longest = NULL;
+
+    *length = 0;
+    for (int i = 0; i < names->n; i++) {
+        size_t n = names->name[i].twice ? 0 : named_length(&names->name[i], text);
+
+        if (n > *length) {
+            *length = n;
+            longest = &names->name[i];
+        }
+    }
+    return longest;
+}
+
+/* What stands for the name of a pattern that is worked: nothing before its rows. */
+static const char *plain_of_worked(const char *behind, size_t length)
+{
+    static const char *const often[] = {"once", "twice", "thrice"};
+    const char *plain = "in patt";
+
+    behind = words_skip_blanks(behind);
+    if (words_are_rows(behind))
+        return "";
+    if (words_find(behind, often, 3) >= 0 || prose_times_follow(behind))
+        plain = "these rows";
+    return length >= strlen(plain) ? plain : NULL;
+}
+
+/* Whether a word stands before so many bytes of a text. */
+static bool stands_before(const char *first, size_t bytes, const char *word)
+{
+    size_t n = strlen(word);
+
+    return bytes > n && strncasecmp(first + bytes - n, word, n) == 0 && !isalnum((unsigned char)first[bytes - n - 1]);
+}
+
+/* What the name is to be at a place of the text from `first` on: behind `in`, `of`, `change to` the pattern. NULL: the
+ * word is no mention. */
 static const char *plain_at(const char *first, const char *at, size_t length)
 {
+    static const char *const lead[] = {"in", "of", "change to", "switch to"};
     size_t before = (size_t)(at - first);
 
     while (before > 0 && first[before - 1] == ' ')
         before--;
-    if (before > 4 && strncasecmp(first + before - 4, " the", 4) == 0)
-        before -= 4;
-    if (before < 3 || before == (size_t)(at - first))
+    if (stands_before(first, before, "the"))
+        before -= strlen(" the");
+    if (before == (size_t)(at - first))
         return NULL;
-    if (strncasecmp(first + before - 3, " in", 3) == 0 || strncasecmp(first + before - 3, " of", 3) == 0)
-        return length >= strlen("pattern") ? "pattern" : length >= strlen("pat") ? "pat" : NULL;
-    if (before < 4 || strncasecmp(first + before - 4, "work", 4) != 0)
-        return NULL;
-    return words_are_rows(words_skip_blanks(at + length)) ? "" : length >= strlen("in patt") ? "in patt" : NULL;
+    for (size_t i = 0; i < sizeof lead / sizeof *lead; i++)
+        if (stands_before(first, before, lead[i]))
+            return length >= strlen("pattern") ? "pattern" : length >= strlen("pat") ? "pat" : NULL;
+    return stands_before(first, before, "work") ? plain_of_worked(at + length, length) : NULL;
 }
 
-const char *named_plain(struct arena *arena, const char *text, size_t size)
+/* ---- what is kept of them ---- */
+
+static void keep_mention(struct arena *arena, struct named *named, struct named_mention mention)
 {
-    struct name name = find_name(text);
+    if (named->nmentions == named->room) {
+        struct named_mention *larger;
+
+        named->room = named->room ? 2 * named->room : 8;
+        larger = arena_array(arena, struct named_mention, (size_t)named->room);
+        if (named->nmentions)
+            memcpy(larger, named->mention, (size_t)named->nmentions * sizeof *larger);
+        named->mention = larger;
+    }
+    named->mention[named->nmentions++] = mention;
+}
+
+static void keep_headings(struct arena *arena, struct named *named, const struct names_of_page *names, const char *text)
+{
+    unsigned *heading = arena_array(arena, unsigned, (size_t)names->n);
+
+    for (int i = 0; i < names->n; i++)
+        if (names->name[i].mentioned || names->name[i].figures)
+            heading[named->nheadings++] = (unsigned)(names->name[i].text - text);
+    named->heading = heading;
+}
+
+const char *named_plain(struct arena *arena, const char *text, size_t size, struct named *named)
+{
+    struct names_of_page names = {0};
     char *plain = NULL;
 
-    if (!name.length)
+    find_names(text, &names);
+    if (!names.n)
         return text;
-    for (const char *at = name.text + name.length; *at; at += words_length(at) ? words_length(at) : 1) {
-        size_t length = named_length(name, at);
-        const char *wording = length ? plain_at(name.text, at, length) : NULL;
+    for (const char *at = names.name[0].rows; *at; at += words_length(at) ? words_length(at) : 1) {
+        size_t length;
+        struct name *name = name_at(&names, at, &length);
+        const char *wording = name ? plain_at(text, at, length) : NULL;
 
+        if (name)
+            keep_mention(arena, named, (struct named_mention){(unsigned)(at - text), (unsigned)(name->rows - text), wording != NULL});
         if (!wording)
             continue;
+        name->mentioned = true;
         plain = plain ? plain : arena_copy(arena, text, size);
         memset(plain + (at - text), ' ', length);
         memcpy(plain + (at - text), wording, strlen(wording));
     }
+    keep_headings(arena, named, &names, text);
     return plain ? plain : text;
+}
+
+bool named_is_heading(const struct named *named, size_t at)
+{
+    for (int i = 0; i < named->nheadings; i++)
+        if (named->heading[i] == at)
+            return true;
+    return false;
+}
+
+unsigned named_rows(const struct named *named, unsigned start, unsigned end, bool *several)
+{
+    int low = 0, high = named->nmentions;
+    unsigned rows = 0, any = 0;
+    bool differ = false;
+
+    while (low < high) {
+        int middle = (low + high) / 2;
+
+        if (named->mention[middle].at < start)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (; low < named->nmentions && named->mention[low].at < end; low++) {
+        const struct named_mention *mention = &named->mention[low];
+
+        differ |= any && any != mention->rows;
+        any = mention->rows;
+        rows = mention->works ? mention->rows : rows;
+    }
+    *several = rows && differ;
+    return rows;
 }

@@ -8,7 +8,6 @@
 #include "lang/compile.h"
 #include "lang/limits.h"
 #include "lang/marks.h"
-#include "lang/named.h"
 #include "lang/page_chart.h"
 #include "lang/scanner.h"
 #include "lang/wording.h"
@@ -226,7 +225,7 @@ size_t source_blank(const char *text)
     return *text && strchr(" \t\f\v", *text) ? 1 : 0;
 }
 
-const char *source_plain(struct arena *arena, const struct source *source)
+const char *source_plain(struct arena *arena, const struct source *source, struct named *named)
 {
     char *text = NULL;
 
@@ -242,12 +241,12 @@ const char *source_plain(struct arena *arena, const struct source *source)
     }
     if (source->size > WORDS_PAGE)
         return text ? text : source->text;
-    return wording_plain(arena, named_plain(arena, marks_plain(arena, text ? text : source->text, source->size), source->size), source->size);
+    return wording_plain(arena, named_plain(arena, marks_plain(arena, text ? text : source->text, source->size), source->size, named), source->size);
 }
 
-const char *source_read_as(struct arena *arena, const struct source *source, const struct page_chart *chart)
+const char *source_read_as(struct arena *arena, const struct source *source, const struct page_chart *chart, struct named *named)
 {
-    const char *plain = source_plain(arena, source);
+    const char *plain = source_plain(arena, source, named);
     char *text = chart ? arena_copy(arena, plain, source->size) : NULL;
 
     for (int i = 0; chart && i < chart->lines; i++) {
@@ -281,7 +280,7 @@ struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *na
     if (!is_script(diag, source, source->text + scanner.at))
         return NULL;
     parse.chart = page_chart_find(arena, source);
-    parse.text = source_read_as(arena, source, parse.chart);
+    parse.text = source_read_as(arena, source, parse.chart, &parse.named);
     parse.joined = wording_is_joined(source->text);
     parse.scanner = &scanner;
     scanner_parse(&scanner);

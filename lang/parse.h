@@ -5,6 +5,7 @@
 #define WEFT_PARSE_H
 
 #include "lang/ast.h"
+#include "lang/named.h"
 #include "lang/names.h"
 #include "lang/words.h"
 
@@ -18,6 +19,7 @@ struct parse {
     struct expr         *expression;    /* or the value of an option */
     struct scanner      *scanner;
     const struct page_chart *chart;     /* a page's, whose lines are text; or NULL */
+    struct named         named;         /* patterns it calls by a name */
     bool                 joined;        /* in the round: what is called a row is one */
     struct words_line    line;          /* of the source that an error was in last */
     struct span          knitted;       /* a part of it without a word that cannot be knitted */
@@ -30,11 +32,11 @@ struct stmt *parse_file(struct arena *, struct diag *, struct names *, const str
 /* The expression at byte `start` of a text and to its end; never NULL. */
 struct expr *parse_expression(struct arena *, struct diag *, struct names *, const struct source *, unsigned start);
 
-/* The text with every kind of blank as a plain one, byte for byte at its place. */
-const char *source_plain(struct arena *, const struct source *);
+/* The text with every kind of blank as a plain one, byte for byte at its place, and the names that it mentions. */
+const char *source_plain(struct arena *, const struct source *, struct named *);
 
 /* The same where a page's chart is, whose lines stay. */
-const char *source_read_as(struct arena *, const struct source *, const struct page_chart *);
+const char *source_read_as(struct arena *, const struct source *, const struct page_chart *, struct named *);
 
 /* Bytes of the blank a text begins with, a no-break or other space of a page among them; 0: none. */
 size_t source_blank(const char *text);

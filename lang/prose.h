@@ -26,6 +26,7 @@ size_t prose_names_pattern(const char *text);       /* "work panel A over 12 sts
 size_t prose_bracket_length(const char *text);      /* "(see below)": its bytes, where it is closed near by; or 0 */
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */
+bool prose_says_how_often(const char *text);        /* "work in pattern twice": whole patterns, no length */
 bool prose_comma_is_idle(const char *text);         /* "3 times", "or until .." behind it */
 bool prose_row_is_named(const char *text);          /* "row:" */
 bool prose_row_follows(const char *text);           /* "row 1" */

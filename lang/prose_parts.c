@@ -137,6 +137,16 @@ static bool says_how_often(const char *text)
     return false;
 }
 
+bool prose_says_how_often(const char *text)
+{
+    static const char *const word[] = {"once", "twice", "thrice", "times", "repeats", "reps"};
+
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+        if (words_line_has(text, word[i]))
+            return !lengths_said(text);
+    return false;
+}
+
 /* `k2, p2`, `*p1`, `knit`, `knit to end`, `rep row 1`. */
 bool prose_stitches_follow(const char *text)
 {

@@ -51,6 +51,67 @@ struct row_texts rows_pattern(struct row_list *list, bool going_on)
     return texts;
 }
 
+void row_list_keep_part(struct row_list *list)
+{
+    struct part *part = arena_new(list->arena, struct part);
+
+    *part = (struct part){list->label, list->label_room, list->last_label, list->first_label, list->worked_label, list->part};
+    list->part = part;
+}
+
+static bool begins_at(struct row_text *const *label, int room, unsigned first)
+{
+    return room > 1 && label[1] && label[1]->head.start == first;
+}
+
+/* Takes a part out of those kept; NULL: there is none. */
+static struct part *take_part(struct row_list *list, unsigned first)
+{
+    for (struct part **part = &list->part; *part; part = &(*part)->next)
+        if (begins_at((*part)->label, (*part)->label_room, first)) {
+            struct part *found = *part;
+
+            *part = found->next;
+            return found;
+        }
+    return NULL;
+}
+
+bool rows_choose(struct row_list *list, struct span span, unsigned first)
+{
+    struct part *part;
+
+    rows_work(list);
+    list->to_choose = false;
+    if (begins_at(list->label, list->label_room, first))
+        return true;
+    part = take_part(list, first);
+    if (!part)
+        return false;
+    row_list_keep_part(list);
+    list->label = part->label;
+    list->label_room = part->label_room;
+    list->last_label = part->last_label;
+    list->first_label = part->first_label;
+    list->first = part->last_label + 1;
+    list->worked_label = 0;
+    if (part->worked_label && part->worked_label != part->last_label) {
+        diag_warning(list->diag, CODE_IN_PATTERN, span, "which row of this pattern comes first is not said: row %d", part->first_label);
+        diag_hint(list->diag, "it was left behind row %d", part->worked_label);
+    }
+    return true;
+}
+
+void rows_describe(struct row_list *list, bool describes)
+{
+    list->describes = describes;
+}
+
+bool rows_to_choose(const struct row_list *list)
+{
+    return list->to_choose;
+}
+
 void rows_define(struct row_list *list)
 {
     rows_work(list);

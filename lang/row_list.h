@@ -13,6 +13,13 @@ struct filler {
     struct filler *next;
 };
 
+/* The numbered rows of a part that begins at row 1. */
+struct part {
+    struct row_text **label;
+    int label_room, last_label, first_label, worked_label;
+    struct part *next;
+};
+
 struct row_list {
     struct arena *arena;
     struct diag *diag;
@@ -36,6 +43,9 @@ struct row_list {
     int worked_label;               /* of the numbered row worked last */
     bool loose;                     /* what came last had no number, or was a repeat */
     enum side start; /* the side of the first row worked; open until known */
+    struct part *part;              /* those before the one above */
+    bool describes;                 /* each part is a pattern of its own, not worked yet, */
+    bool to_choose;                 /* of which none was chosen */
     bool round, flat, failed;
     struct span span; /* of the row added last */
 };
@@ -47,6 +57,9 @@ static inline void row_list_fail(struct row_list *list)
 
 /* An array of row pointers with room for n. */
 struct row_text **row_list_grown(struct row_list *, struct row_text **, int *room, int n);
+
+/* The part so far is kept, to be chosen later. */
+void row_list_keep_part(struct row_list *);
 
 /* False, with a message, for rows among rounds. */
 bool row_list_mix(struct row_list *, const struct row_text *);

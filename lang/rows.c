@@ -91,16 +91,19 @@ static void begin_again(struct row_list *list, const struct row_text *text)
             return;
     if (!list->loose && last_given(list) < 2 && !stand_apart(rows_find(list, 1)->span, text->head))
         return;
-    if (!list->loose) {
+    if (!list->loose && !list->describes) {
         diag_warning(list->diag, CODE_SECOND_PART, text->head,
                      "the rows begin again at 1: taken as a second part, worked on top of the first");
         diag_hint(list->diag, "a row that is only numbered wrong: `Row %d`", last_given(list) + 1);
     }
+    list->to_choose = list->describes;
+    if (list->describes)
+        rows_define(list);
     rows_work(list);
+    row_list_keep_part(list);
+    list->label = NULL;
     list->first = list->first_label = 1;
-    list->last_label = 0;
-    for (int i = 0; i < list->label_room; i++)
-        list->label[i] = NULL;
+    list->label_room = list->last_label = 0;
 }
 
 /* Rows worked before row 1: set-up rows, those without a number. */

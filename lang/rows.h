@@ -112,6 +112,15 @@ struct row_texts rows_pattern(struct row_list *, bool going_on);
 /* The rows given so far are a pattern only: not worked yet. */
 void rows_define(struct row_list *);
 
+/* Whether each part that begins at row 1 is a pattern of its own, to be defined only. */
+void rows_describe(struct row_list *, bool);
+
+/* The rows whose first stands at a place are the pattern from here on; false: there are none. */
+bool rows_choose(struct row_list *, struct span, unsigned first);
+
+/* Whether several patterns are described, and none of them chosen. */
+bool rows_to_choose(const struct row_list *);
+
 /* Whether others were worked behind these. */
 bool rows_passed(const struct row_list *, struct row_texts);
 

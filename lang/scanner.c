@@ -86,6 +86,13 @@ bool scanner_closes_repeat(const struct scanner *scanner)
     return previous == TOKEN_REP_FROM || previous == TOKEN_REP || (previous == TOKEN_STAR && !scanner->star);
 }
 
+bool scanner_names_rows(const struct scanner *scanner)
+{
+    const char *text = SCANNER_TEXT(scanner);
+
+    return scanner->parse->named.nheadings && named_is_heading(&scanner->parse->named, (size_t)(words_skip_blanks(text) - scanner->parse->text));
+}
+
 bool scanner_in_row_head(const struct scanner *scanner)
 {
     return scanner->statement == TOKEN_ROW || scanner->statement == TOKEN_ALL || scanner->statement == TOKEN_SETUP ||

@@ -179,13 +179,12 @@ static void take(void *context, int kind, struct span span)
 struct tokens tokens_read(struct arena *arena, struct names *names, const struct source *source)
 {
     struct diag diag;
-    const struct page_chart *chart = page_chart_find(arena, source);
-    struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source, .chart = chart,
-                          .text = source_read_as(arena, source, chart)};
+    struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source, .chart = page_chart_find(arena, source)};
     struct scanner scanner = {.parse = &parse, .at = source_start(source), .start = TOKEN_START_FILE};
-    struct reader reader = {.arena = arena, .source = source, .plain = parse.text, .end = scanner.at, .first = true};
+    struct reader reader = {.arena = arena, .source = source, .end = scanner.at, .first = true};
 
     diag_init(&diag, arena);
+    parse.text = reader.plain = source_read_as(arena, source, parse.chart, &parse.named);
     parse.scanner = &scanner;
     scanner_tokens(&scanner, take, &reader);
     return reader.list;
