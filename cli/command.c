@@ -50,9 +50,10 @@ const struct command command_table[] = {
      "Rewrites each FILE in the canonical layout: the same fabric and settings, with\n"
      "its comments, evenly spelled, indented and aligned. Formatting again changes\n"
      "nothing. A file that is formatted is not touched; one with an error is left\n"
-     "alone. With - the script is read from standard input and printed. With --check\n"
-     "nothing is written: files that would change are named, and the exit status is\n"
-     "then 1.\n"},
+     "alone, and so is one that would read otherwise in another layout, with a word\n"
+     "about it. With - the script is read from standard input and printed. With\n"
+     "--check nothing is written: files that would change are named, and the exit\n"
+     "status is then 1.\n"},
     {"import", "PATH", 1, 1, command_import, "make a script of a chart from elsewhere",
      "Reads the chart in PATH and prints a script with the same stitches; -o writes\n"
      "it to a file. What PATH is follows from its extension:\n"

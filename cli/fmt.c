@@ -34,6 +34,8 @@ static enum status format_source(const struct options *options, struct arena *ar
                    options_colored(options));
         return STATUS_SCRIPT;
     }
+    if (text == source->text && !options->quiet)
+        fprintf(stderr, "weft: '%s' is left as it is: laid out anew, it would read otherwise\n", source->name);
     bool same = length == source->size && memcmp(text, source->text, length) == 0;
     if (options->check) {
         if (!same && !options->quiet)

@@ -9,6 +9,7 @@
 #include <strings.h>
 
 #include "lang/chart_lines.h"
+#include "lang/compile.h"
 #include "lang/limits.h"
 #include "lang/row_words.h"
 #include "lang/scanner.h"
@@ -578,22 +579,56 @@ static bool has_own_k(const struct stmt *stmt)
     return false;
 }
 
-char *format_script(struct arena *arena, struct diag *diag, const struct source *source, size_t *length)
+/* A script, laid out. */
+struct laid_out {
+    char               *text;
+    size_t              length;
+    const struct stmt **row;        /* (n) its knitters' statements and charts */
+    int                 n, comments;
+};
+
+static struct laid_out lay_out(struct arena *arena, struct diag *diag, const struct source *source)
 {
     struct names names = {.arena = arena};
     struct stmt *file = parse_file(arena, diag, &names, source);
-    struct format f = {.arena = arena, .source = source};
-    int n = 0;
+    struct format f = {.arena = arena, .source = source, .out = layout_new(arena)};
+    struct laid_out all = {0};
 
     if (diag->nerrors)
-        return NULL;
+        return all;
     f.tokens = tokens_read(arena, &names, source);
-    collect(file, NULL, &n);
-    f.row = arena_array(arena, const struct stmt *, (size_t)n + 1);
-    n = 0;
-    collect(file, f.row, &n);
+    for (int i = 0; i < f.tokens.n; i++)
+        all.comments += f.tokens.at[i].kind == TOKEN_COMMENT;
+    collect(file, NULL, &all.n);
+    f.row = all.row = arena_array(arena, const struct stmt *, (size_t)all.n + 1);
+    all.n = 0;
+    collect(file, all.row, &all.n);
     f.style = (struct row_style){arena, &f.tokens, !has_own_k(file)};
-    f.out = layout_new(arena);
     format_statements(&f, 0);
-    return layout_text(f.out, length);
+    all.text = layout_text(f.out, &all.length);
+    return all;
+}
+
+/* What one layout is made of gives the same again, statement for statement. */
+static bool is_stable(const struct laid_out *once, const struct laid_out *again)
+{
+    if (!again->text || once->length != again->length || once->n != again->n || once->comments != again->comments)
+        return false;
+    for (int i = 0; i < once->n; i++)
+        if (once->row[i]->kind != again->row[i]->kind)
+            return false;
+    return memcmp(once->text, again->text, once->length) == 0;
+}
+
+const char *format_script(struct arena *arena, struct diag *diag, const struct source *source, size_t *length)
+{
+    struct laid_out once = lay_out(arena, diag, source), again;
+    struct diag unheard;
+
+    if (!once.text)
+        return NULL;
+    diag_init(&unheard, arena);
+    again = lay_out(arena, &unheard, source_from_text(arena, source->name, once.text, once.length));
+    *length = is_stable(&once, &again) ? once.length : source->size;
+    return is_stable(&once, &again) ? once.text : source->text;
 }

@@ -6,8 +6,8 @@
 
 #include "lang/diag.h"
 
-/* The text, NUL-terminated, in the arena; NULL where the script cannot be parsed,
- * with the errors in diag. */
-char *format_script(struct arena *, struct diag *, const struct source *, size_t *length);
+/* The text, NUL-terminated, in the arena; the source's own where it would read otherwise
+ * in another layout; NULL where the script cannot be parsed, with the errors in diag. */
+const char *format_script(struct arena *, struct diag *, const struct source *, size_t *length);
 
 #endif

@@ -50,6 +50,14 @@ check 'what was formatted is not touched' test "$(ls -i even.knit)" = "$inode"
 holds 'nothing else is left' . wild.knit even.knit wrong.knit wrong.was parts.knit was.knit
 exits 0 'all is well now' "$WEFT" fmt --check wild.knit even.knit parts.knit
 
+# Parts of a line that read otherwise on lines of their own.
+printf 'Cast on 4 sts., an$ work 2 rows in plain knitting.\n' >glued.knit
+cp glued.knit glued.was
+exits 0 'what cannot be laid out' "$WEFT" fmt glued.knit
+err 'is named' "'glued.knit' is left as it is"
+check 'and stays' cmp glued.knit glued.was
+rm glued.*
+
 exits 3 'errors for editors' "$WEFT" fmt --diagnostics json wrong.knit
 err 'are JSON' '^{"file": "wrong.knit", "line": 2,'
 exits 4 'a file that is not there' "$WEFT" fmt missing.knit

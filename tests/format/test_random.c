@@ -100,16 +100,19 @@ static bool try(unsigned seed, char *text)
     size_t length = program_write(seed, text), once, twice;
     struct compiled before = compile(&arena, text, length), after;
     struct diag diag;
-    char *first, *second;
+    const struct source *source;
+    const char *first, *second;
     bool whole = before.scene != NULL;
 
     diag_init(&diag, &arena);
-    first = format_script(&arena, &diag, source_from_text(&arena, "random.knit", text, length), &once);
+    source = source_from_text(&arena, "random.knit", text, length);
+    first = format_script(&arena, &diag, source, &once);
     if (!first) {
         fprintf(stderr, "seed %u:\n%s\n", seed, text);
         diag_print(&diag, stderr, DIAG_HUMAN, false);
         fail();
     }
+    assert_ptr_not_equal(first, source->text);
     second = format_script(&arena, &diag, source_from_text(&arena, "random.knit", first, once), &twice);
     after = compile(&arena, first, once);
     if (getenv("WEFT_SHOW") && atoi(getenv("WEFT_SHOW")) == (int)seed) {

@@ -17,7 +17,7 @@ for file in "$work"/case/*.knit; do
     "$WEFT" fmt - <"$file" >"$work/y.knit" || continue
     echo '@formatted'
     "$dump" "$work/y.knit"
-    "$WEFT" fmt - <"$work/y.knit" | cmp -s - "$work/y.knit" || echo '@changed'
+    "$WEFT" fmt - <"$work/y.knit" 2>&1 | cmp -s - "$work/y.knit" || echo '@changed'
 done >"$work/out" 2>&1 </dev/null
 
 # Rows, then the codes of errors, then those of warnings, each once.
@@ -43,7 +43,7 @@ awk -v wanted="$work/wanted" '
     }
     /^@case$/      { finish(); next }
     /^@formatted$/ { formatted = 1 }
-    /^@changed$/   { changed = 1 }
+    /^@changed$|is left as it is: laid out anew/ { changed = 1 }
     { all = all "# " $0 "\n" }
     /^[A-Za-z]+$/  { if (formatted) again = again $0 " "; else rows = rows $0 " " }
     !formatted && /(error|warning): .*\[[EW][0-9]+\]$/ {
