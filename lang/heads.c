@@ -304,7 +304,7 @@ size_t heads_length(const char *text, bool inside, bool *stop)
 
 size_t heads_example(const char *text, size_t *number)
 {
-    static const char *const named[] = {"i", "we", "sample", "shown", "example", "mine", "used", "eg", "e", "such", "photo", "model", "pictured", "ex"},
+    static const char *const named[] = {"i", "we", "sample", "shown", "example", "mine", "used", "eg", "e", "such", "photo", "model", "pictured", "ex", "say"},
                              *const multiple[] = {"multiple", "even", "odd", "any", "number"}, *const once[] = {"sts", "st", "stitches"};
     size_t line = words_line_length(text), at = 0, from = 0, n;
     bool of = false, said = false;

@@ -542,10 +542,10 @@ repeat_statement:
 | WORK_LAST count ROW_WORD again        { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_LAST; $$->again.last = $count; }
 | WORK_THEM again                       { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_THEM; }
 | GO_ON_ROWS count more ROW_WORD pattern
-                                        { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
-| WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
-| WORK count more ROW_WORD MORE         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
-| WORK FOR_ROWS count more ROW_WORD     { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
+                                        { $$ = stmt_again(parse, @$, syntax_go_on(parse, @$, $count)); }
+| WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(parse, @$, $count)); }
+| WORK count more ROW_WORD MORE         { $$ = stmt_again(parse, @$, syntax_go_on(parse, @$, $count)); }
+| WORK FOR_ROWS count more ROW_WORD     { $$ = stmt_again(parse, @$, syntax_go_on(parse, @$, $count)); }
 | WORK_ROWS parts again                 { $$ = stmt_again(parse, @$, syntax_work_again($parts.first, $again)); }
 ;
 pattern: %empty | FOR_PATTERN;

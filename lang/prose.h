@@ -11,6 +11,14 @@
 struct scanner;
 
 /* All read from a place of the text to the end of its line. */
+/* Whether a sentence, `Work 6 rows of rib as follows:`, is the heading of the rows that begin behind it or on the next line. */
+bool prose_heads_rows(const char *sentence, const char *behind);
+
+bool prose_is_aside(const char *text);              /* "Easy, right?": no word of a row's text */
+
+/* Whether the line holds measures, `24 stitches, 12 rows`, `To fit chest 81[86:91] cm`, and no work. */
+bool prose_is_measure(const char *text);
+
 bool prose_line_ends(const char *text);             /* nothing but blanks follows */
 bool prose_names_row(const char *text);             /* "1st and 3rd rows:" */
 bool prose_statement_follows(const char *text);     /* a statement that a numbered list may hold */

@@ -58,19 +58,20 @@ bool prose_repeats_rows(const char *text)
     /* `repeat until it measures 8 in`; not `repeat until 2 sts remain`. */
     if (words_is(text, "until") || words_is(text, "till"))
         return lengths_follow(text) || words_line_has(text, "yarn") || words_line_has(text, "rows") || words_line_has(text, "rounds");
-    return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
+    return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || prose_rows_follow(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
            (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
 }
 
 bool prose_fabric_follows(const char *text)
 {
     static const char *const word[] = {"garter", "g",    "rev",   "reverse", "stockinette", "stocking", "stockinet",
-                                       "st",     "seed", "moss",  "single",  "double"};
+                                       "st",     "seed", "moss",  "single",  "double"},
+                             *const knit[] = {"k", "knit"};
     const char *by = words_skip_blanks(text + strspn(text, "0123456789"));
 
     return words_find(text, word, sizeof word / sizeof *word) >= 0 ||
            (isdigit((unsigned char)*text) && ((*by && strchr("xX/\xC3", *by)) || words_is(by, "by"))) ||
-           (strchr("kK", *text) && isdigit((unsigned char)*words_skip_blanks(text + 1)) &&
+           (words_find(text, knit, 2) >= 0 && isdigit((unsigned char)*words_skip_blanks(text + words_length(text))) &&
             (words_line_has(text, "rib") || words_line_has(text, "ribbing")));
 }
 
@@ -250,25 +251,65 @@ bool prose_names_needle(const char *text)
     return words_find(text, words, 4) >= 0 && strchr(":,-(", *words_skip_blanks(text + words_length(text))) && !prose_line_ends(text + words_length(text));
 }
 
-/* A sentence: no sign, no number, and no word of a row's text. */
-bool prose_tells_of_row(const char *text)
+/* The words of a sentence without a sign, a number or a word of a row's text; 0: it has one. */
+static int told_words(const char *text)
 {
     static const char *const work[] = {"rs", "ws", "right", "wrong", "k", "p", "knit", "purl", "as", "rep", "repeat", "same", "work", "to", "and", "all",
                                        "set", "setup", "row", "rows", "st", "sts", "garter", "seed", "moss", "rib", "through", "sl", "slip", "yo", "inc", "dec",
                                        "increase", "decrease", "cast", "bind", "co", "bo", "across", "end", "in", "with", "cable", "cross"};
     int words = 0;
 
-    text = words_skip_blanks(text);
-    text += strspn(text, "0123456789");
     for (text = words_skip_blanks(text); *text && !strchr("\r\n", *text); words++) {
         size_t n = words_length(text);
 
-        if (!n || words_find(text, work, sizeof work / sizeof *work) >= 0)
-            return false;
+        if (!n || (text[n] != '?' && words_find(text, work, sizeof work / sizeof *work) >= 0))
+            return 0;
         text += n;
         text += strspn(text, " \t,.!?'-");
     }
-    return words > 2;
+    return words;
+}
+
+bool prose_tells_of_row(const char *text)
+{
+    text = words_skip_blanks(text);
+    return told_words(text + strspn(text, "0123456789")) > 2;
+}
+
+bool prose_is_aside(const char *text)
+{
+    size_t n = words_line_within(text, WORDS_REACH);
+
+    while (n > 0 && isspace((unsigned char)text[n - 1]))
+        n--;
+    return n > 0 && strchr("!?", text[n - 1]) && told_words(text) > 0;
+}
+
+bool prose_heads_rows(const char *sentence, const char *behind)
+{
+    static const char *const more[] = {"then", "and", "now", "next", "work", "knit", "purl", "cont", "continue", "proceed"};
+    const char *next = behind + strspn(behind, " \t\f\v\r\n");
+
+    for (sentence += words_length(sentence); *sentence && *sentence != ':'; sentence += words_length(sentence) ? words_length(sentence) : 1)
+        if (words_find(sentence, more, sizeof more / sizeof *more) >= 0)
+            return false;
+    return prose_names_row(next) || (tolower((unsigned char)*next) == 'r' && isdigit((unsigned char)next[1]));
+}
+
+bool prose_is_measure(const char *text)
+{
+    static const char *const work[] = {"k", "p", "knit", "purl", "cast", "co", "rep", "repeat", "work", "bind", "row", "round", "rnd"},
+                             *const unit[] = {"cm", "cms", "mm", "in", "ins", "inch", "inches", "st", "sts", "stitches", "rows", "rounds"};
+    bool number = false, units = false;
+
+    for (size_t n; *text && !words_ends_line(*text); text += n ? n : 1) {
+        n = words_length(text);
+        if (n ? words_find(text, work, sizeof work / sizeof *work) >= 0 : strchr("*={}|<>", *text) != NULL)
+            return false;
+        number |= isdigit((unsigned char)*text) != 0;
+        units |= number && n && words_find(text, unit, sizeof unit / sizeof *unit) >= 0;
+    }
+    return units;
 }
 
 bool prose_side_is_worked(const char *text)

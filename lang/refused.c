@@ -67,7 +67,7 @@ static const struct {
     {"a dropped stitch", TOPOLOGY,
      {"drop*"}},
     {"an elongated stitch", TOPOLOGY,
-     {"kw", "kw#", "k#w#", "ek", "k#-wrap*", "elongated"}},
+     {"kw", "kw#", "k#w#", "ek", "k#-wrap*", "elongated", "wrapping"}},
     {"a short row", SHORT_ROWS,
      {"w&t", "w+t", "wrap*", "turn", "w&t*", "ds", "gsr"}},
     {"a bead", TOPOLOGY,

@@ -106,7 +106,7 @@ bool remarks_in_row(const char *text, size_t at)
 
     line += strspn(text + line, " \t-*+>|_(");
     number = line + strspn(text + line, "0123456789");
-    return line < at && ((number > line && strchr(".:)|/(- ", text[number + (text[number] == ' ')])) || words_are_rows(text + line) || words_find(text + line, sides, 4) >= 0 ||
+    return line < at && ((number > line && strchr(".:)|/(- \t", text[number + (text[number] == ' ')])) || words_are_rows(text + line) || words_find(text + line, sides, 4) >= 0 ||
                          (tolower((unsigned char)text[line]) == 'r' && isdigit((unsigned char)text[line + 1])));
 }
 
@@ -168,6 +168,13 @@ size_t remarks_said(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     if (strlen(plain) > length)
         *plain = '\0';
     return *plain ? length : 0;
+}
+
+size_t remarks_column(const char *text, size_t at)
+{
+    size_t digits = strspn(text + at + 1, "0123456789");
+
+    return digits && at > 0 && !isspace((unsigned char)text[at - 1]) && prose_line_ends(text + at + 1 + digits) && remarks_in_row(text, at) ? 1 + digits : 0;
 }
 
 size_t remarks_bar(const char *text, size_t at)

@@ -28,6 +28,9 @@ size_t remarks_said(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 /* The bar that ends a line of a table, with a number behind it where it is no row's. */
 size_t remarks_bar(const char *text, size_t at);
 
+/* How long the row's count is in the last column of a table, with the tab before it; or 0. */
+size_t remarks_column(const char *text, size_t at);
+
 /* `(boring, I know!)`: words to the reader in brackets, and none of a technique. */
 size_t remarks_chatter(const char *text);
 

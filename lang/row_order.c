@@ -89,6 +89,14 @@ bool rows_described(const struct row_list *list)
     return list->fresh && !list->npending && filler_for(list, list->first, row_list_side(list, list->norder)) && filler_for(list, list->first + 1, row_list_side(list, list->norder + 1));
 }
 
+/* The first row written behind the place of one that is not. */
+static struct span behind_gap(const struct row_list *list, int i)
+{
+    while (i < list->npending && !list->pending[i])
+        i++;
+    return i < list->npending ? list->pending[i]->head : list->span;
+}
+
 /* The pending rows once, gaps filled by `all .. rows`. */
 void rows_work(struct row_list *list)
 {
@@ -109,7 +117,7 @@ void rows_work(struct row_list *list)
         if (!text)
             text = filler_for(list, label, row_list_side(list, list->norder));
         if (!text) {
-            diag_error(list->diag, CODE_ROW_NUMBER, list->span, "row %d is missing", label);
+            diag_error(list->diag, CODE_ROW_NUMBER, behind_gap(list, i), "row %d is missing", label);
             diag_hint(list->diag, label == 1 ? "number the first row 1, also where the cast-on has been called row 1" :
                       "rows are numbered 1, 2, 3 ..; `all WS rows: purl` can stand for every second one");
             row_list_fail(list);

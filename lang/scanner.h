@@ -77,6 +77,7 @@ int scanner_token(struct scanner *, int kind);
 int scanner_bad_unit(struct scanner *, struct span, const char *text);
 int scanner_fraction(struct scanner *, struct span, const char *text);
 int scanner_lettered(struct scanner *, struct span); /* the letter of "Row 1a" */
+int scanner_scanned(struct scanner *, struct span);  /* of "Row l", "CO 2O sts" */
 int scanner_needle(struct scanner *, struct span); /* "1st needle: k2" */
 int scanner_no_stitches(struct scanner *, struct span, const char *word); /* "cast on 40 needles" */
 int scanner_open_string(struct scanner *, struct span);

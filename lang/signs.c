@@ -412,6 +412,15 @@ static size_t ordinals_length(const char *text, size_t at, char plain[static SIG
     return strlen(plain) <= here ? here : 0;
 }
 
+/* The dash of `k-3, p-2`. */
+static bool has_dash(const char *text, size_t at)
+{
+    size_t digits = strspn(text + at + 2, "0123456789");
+
+    return strchr("kKpP", text[at]) && text[at + 1] == '-' && digits && !isalnum((unsigned char)text[at + 2 + digits]) && (at == 0 || text[at - 1] != '{') &&
+           remarks_in_row(text, at);
+}
+
 size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     const char *here = text + at;
@@ -433,6 +442,13 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     }
     if (*here && strchr("sSaAlLrRwWdDiI", *here) && begins && (length = previous_length(text, at, plain)) > 0)
         return length;
+    if (*here && begins && has_dash(text, at)) {
+        *plain = *here;
+        plain[1] = '\0';
+        return 2;
+    }
+    if (*here == '\t' && remarks_column(text, at))
+        return remarks_column(text, at);
     if (*here == 'p' && begins && is_plain_row(text, at)) {
         strcpy(plain, "knit");
         return 5;

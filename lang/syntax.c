@@ -139,6 +139,20 @@ static void star_is_left(struct parse *parse, struct span span)
     diag_hint(parse->diag, "`*k2, p2; rep from * to end`, or to the last stitches: `rep from * to last 2 sts, k2`");
 }
 
+/* `k2, p2; rep from *`: where the repeat begins is not marked. */
+static bool star_is_missing(struct parse *parse, struct span span)
+{
+    unsigned at = span.start;
+
+    while (at > 0 && !strchr("*:\r\n", span.source->text[at - 1]))
+        at--;
+    if (at > 0 && span.source->text[at - 1] == '*')
+        return false;
+    diag_error(parse->diag, CODE_SYNTAX, span, "no '*' before this says where the repeat begins");
+    diag_hint(parse->diag, "`*k2, p2; rep from * to end`: put the '*' before the first stitch that is repeated");
+    return true;
+}
+
 /* `in rib`, without its numbers. */
 static bool names_rib(struct span span)
 {
@@ -206,6 +220,8 @@ void syntax_error(struct parse *parse, struct span span, const char *found, cons
     }
     if (bracket_is_alone(parse, span, at_end, expected, n))
         return;
+    if (found && strcmp(found, "'rep from *'") == 0 && star_is_missing(parse, span))
+        return;
     if (list)
         diag_error(parse->diag, CODE_SYNTAX, span, "expected %s, found %s", list, found_text(parse, span, found));
     else if (at_end)
@@ -226,6 +242,25 @@ int syntax_unknown_word(struct parse *parse, struct span span, const char *expec
 
 /* ---- rows ---- */
 
+/* The last number of a part of a list of rows; 0: it has none that is written. */
+static int last_number(const struct row_numbers *part)
+{
+    const struct expr *number = part->last ? part->last : part->first;
+
+    return number && number->kind == EXPR_NUMBER ? (int)number->number.value : 0;
+}
+
+/* `Rows 1, 3 (RS) and 6`: the side that the first of them is on, as the mark is of the rows before it alone; or open. */
+static enum side side_of_first(const struct row_numbers *numbers)
+{
+    int first = numbers && numbers->first && numbers->first->kind == EXPR_NUMBER ? (int)numbers->first->number.value : 0;
+
+    for (const struct row_numbers *part = numbers; part && part->next && first; part = part->next)
+        if (part->side && !part->next->side && last_number(part) && last_number(part->next) && (last_number(part) - last_number(part->next)) % 2)
+            return (last_number(part) - first) % 2 == 0 ? part->side : part->side == SIDE_RS ? SIDE_WS : SIDE_RS;
+    return SIDE_OPEN;
+}
+
 struct row syntax_head(struct parse *parse, enum side round, enum side side, struct row_numbers *numbers)
 {
     struct row row = {.round = round == SIDE_RS, .side = side, .numbers = numbers};
@@ -240,6 +275,9 @@ struct row syntax_head(struct parse *parse, enum side round, enum side side, str
         }
         row.side = part->side ? part->side : row.side;
     }
+    row.starting = side || row.round ? SIDE_OPEN : side_of_first(numbers);
+    if (row.starting)
+        row.side = SIDE_OPEN;
     return row;
 }
 
@@ -507,13 +545,23 @@ struct again syntax_again(struct row_numbers *numbers, struct expr *last, struct
     return again;
 }
 
-struct again syntax_go_on(struct span span, struct expr *count)
+/* "until 10 rows", "for a total of 10 rows" */
+static bool counts_all(const char *text, size_t length)
 {
-    const char *text = span.source->text + span.start;
-    bool total = false;
+    static const char *const word[] = {"until", "till ", "total"};
 
-    for (size_t n = span.end - span.start; n > 5; n--, text++)
-        total |= strncasecmp(text, "until", 5) == 0 || strncasecmp(text, "till ", 5) == 0 || strncasecmp(text, "total", 5) == 0;
+    for (size_t i = 0; i + 5 <= length; i++)
+        for (size_t w = 0; w < sizeof word / sizeof *word; w++)
+            if (strncasecmp(text + i, word[w], 5) == 0)
+                return true;
+    return false;
+}
+
+struct again syntax_go_on(const struct parse *parse, struct span span, struct expr *count)
+{
+    size_t length = span.end - span.start;
+    bool total = counts_all(span.source->text + span.start, length) || counts_all(parse->text + span.start, length);
+
     return (struct again){.which = AGAIN_GO_ON, .kind = total ? AGAIN_UNTIL_ROWS : AGAIN_ROWS, .n = count};
 }
 

@@ -143,13 +143,28 @@ bool scanner_remark(KNIT_STYPE *value, const char *text)
         enum side side;
     } sides[] = {{"rs", SIDE_RS}, {"right", SIDE_RS}, {"ws", SIDE_WS}, {"wrong", SIDE_WS}};
 
+    /* "(odd rows RS, even rows WS)" is of neither. */
+    value->side = SIDE_OPEN;
     for (; *text; text += words_length(text) ? words_length(text) : 1)
         for (size_t i = 0; i < sizeof sides / sizeof *sides; i++)
             if (words_is(text, sides[i].word)) {
+                if (value->side && value->side != sides[i].side)
+                    return false;
                 value->side = sides[i].side;
-                return true;
             }
-    return false;
+    return value->side != SIDE_OPEN;
+}
+
+bool scanner_counts_again(const struct scanner *scanner, size_t length)
+{
+    const char *text = scanner->parse->text, *again = text + scanner->at - length;
+    size_t at = scanner->at - length;
+
+    while (at > 0 && !isdigit((unsigned char)text[at - 1]) && !words_ends_line(text[at - 1]))
+        at--;
+    while (at > 0 && isdigit((unsigned char)text[at - 1]))
+        at--;
+    return isdigit((unsigned char)text[at]) && strtol(text + at, NULL, 10) == strtol(again + strcspn(again, "0123456789"), NULL, 10);
 }
 
 int scanner_edge(struct scanner *scanner, KNIT_STYPE *value, const char *text)

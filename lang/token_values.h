@@ -32,4 +32,7 @@ void scanner_measure(struct scanner *, KNIT_STYPE *, struct span, const char *ph
 /* Sets it where a side is among the words. */
 bool scanner_remark(KNIT_STYPE *, const char *text);
 
+/* Whether so many bytes read last, `(28)`, have the number that stands before them. */
+bool scanner_counts_again(const struct scanner *, size_t length);
+
 #endif

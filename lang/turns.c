@@ -38,6 +38,9 @@ const struct phrase turns_of_pages[] = {
 
     {"alternately|alternating =to|across|around", ""},
     {"and continue =to|across|around", "rep"},
+    {"=st|st.|stitch|sts|rib|ribbing|garter|stockinette|welt ,? =for =# =rows|rounds|rnds in? total|altogether|all", ""},
+    {"for # rows|rounds|rnds in? total|altogether|all", "until # rows"},
+    {"< work # rows|rounds|rnds in? the? pattern|patt|pat? in? total|altogether|all", "rep until # rows"},
     {"=# =rows|rounds|rnds total|altogether", ""},
 
     /* whole rows */
@@ -105,7 +108,7 @@ const struct phrase turns_of_pages[] = {
     {"=sts .? =on|with|using =#|a|the|two|no|size", ""},
     {"=row on the? =rs|ws|wrong|right", ""},
     {"=more|times|time|twice|once , =ending|finishing =with|on|after", ""},
-    {"of|from the? stitch|st? pattern|patt|pat =#|twice|once|until", ""},
+    {"of|from the|#? stitch|st? pattern|patt|pat =#|twice|once|until", ""},
     {"=times|time ,? for a total of # pattern|patt? repeats", ""},
     {"=then , =row|rows|rnd|rnds|round|rounds", ""},
     {"repeated =to|until|across|from", "rep"},
@@ -131,6 +134,21 @@ const struct phrase turns_of_pages[] = {
     {"=rep|repeat this|the # -? row|rows|round|rnd -? repeat|pattern|patt|pat|section|sequence", "these # rows"},
     {"=rep|repeat the? above|preceding|previous # =rows|rounds|rnds", "last #"},
     {"=row|rows|rounds|rnds to create|make|get|continue|complete|produce|build", "until"},
+
+    {"work them # times|x in|for a? all|total", "rep them # times in all"},
+    {"until|till you|i|we '|’ ve have? worked|knit|knitted|done|completed|repeated|made them|these|this|it|all|the? rows|pattern|repeat? # times in? total|all|altogether?",
+     "for a total of # times"},
+    {"until|till you|i|we have worked|knit|knitted|done|completed|repeated|made them|these|this|it|all|the? rows|pattern|repeat? # times in? total|all|altogether?",
+     "for a total of # times"},
+    {"until|till they|it|these|the|all rows? have|has|are|is been? worked|knit|knitted|done|completed|repeated # times in? total|all|altogether?",
+     "for a total of # times"},
+    {"=#|rows|rounds|rnds until|till there|you? are|have? # complete|completed|full|pattern|patt? patterns|patts|pattern|repeats|reps|repetitions are|is|have|has? been? completed|worked|done|complete|made|knitted?",
+     "# times in all"},
+    {"=#|rows|rounds|rnds until|till # rows|rounds|rnds of|in the|this? pattern|patt|pat have|has|are|is been? worked|completed?|done|knitted?", "for a total of # rows"},
+    {"=st|stitch|rib|ribbing|row|rows|rounds|rnds ,|; and? then? proceed|continue|cont|work|begin in? the? main|body? pattern|patt|pat? as follows|below :", "."},
+    {"go|return back? to row|round|rnd # and =repeat|rep =rows|rounds|rnds|these|the|from", ""},
+    {"^ =# )|. rs :", "(RS):"},
+    {"^ =# )|. ws :", "(WS):"},
 
     {"=knit|k =# =rows in? garter|g st|stitch?", ""},
     {"=knit|purl|k|p =all? =the? =k|p|knit|purl|knits|purls =sts|stitches|st? as they appear|come|lie|present|face you|themselves|up?", ""},

@@ -32,6 +32,15 @@ int scanner_lettered(struct scanner *scanner, struct span span)
     return TOKEN_KNIT_error;
 }
 
+int scanner_scanned(struct scanner *scanner, struct span span)
+{
+    char c = span.source->text[span.start], figure = strchr("oO", c) ? '0' : '1';
+
+    diag_error(scanner->parse->diag, CODE_SYNTAX, span, "expected a number, found the letter '%c'", c);
+    diag_hint(scanner->parse->diag, "in a scanned text the letter %c may stand for %c", c, figure);
+    return TOKEN_KNIT_error;
+}
+
 int scanner_needle(struct scanner *scanner, struct span span)
 {
     diag_error(scanner->parse->diag, CODE_SYNTAX, span, "whether a needle is a row, or a part of a round, is not said");
@@ -41,6 +50,8 @@ int scanner_needle(struct scanner *scanner, struct span span)
 
 int scanner_no_stitches(struct scanner *scanner, struct span span, const char *word)
 {
+    if (scanner->previous == TOKEN_NUMBER && !word[1] && strchr("oOlI", *word))
+        return scanner_scanned(scanner, span);
     if (!words_is(word, "needles") && !words_is(word, "pegs"))
         return syntax_unknown_word(scanner->parse, span, "a number of sts");
     diag_error(scanner->parse->diag, CODE_ELSEWHERE, span, "a machine knits every row from one side, and here the sides take turns");

@@ -102,6 +102,12 @@ static bool is_scanned(const char *word)
     return strchr("kKpP", word[0]) && word[0] && strchr("lI|", word[1]) && word[1] && !word[2];
 }
 
+/* `K l`: the same apart. */
+static bool is_scanned_figure(const char *word)
+{
+    return strchr("lI", *word) && !word[1];
+}
+
 static void unknown(struct eval *eval, const struct module *module, const char *word, unsigned start)
 {
     struct span span = {module->source, start, start + (unsigned)strlen(word)};
@@ -124,9 +130,9 @@ static void unknown(struct eval *eval, const struct module *module, const char *
     if (told && typos_is_word(word))
         return;
     meant = meant_by(eval, module, &span, word, &of_rows);
-    if (!told && is_scanned(word)) {
+    if (!told && (is_scanned(word) || is_scanned_figure(word))) {
         diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
-        diag_hint(eval->diag, "in a scanned text the letter l may stand for 1: '%c1'", *word);
+        diag_hint(eval->diag, "in a scanned text the letter l may stand for 1: '%.*s1'", is_scanned(word), word);
         return;
     }
     if (told && !meant)
@@ -135,7 +141,7 @@ static void unknown(struct eval *eval, const struct module *module, const char *
     diag_did_you_mean(eval->diag, meant);
     if (!meant)
         diag_hint(eval->diag, "stitches are k, p, and your own: `stitch T { kx = .. }`");
-    if (of_rows && !told)
+    if (!told && (of_rows || !meant))
         eval->refused = diag_line_around(span);
 }
 

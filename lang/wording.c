@@ -80,15 +80,25 @@ static bool is_number(const char *text)
     return isdigit((unsigned char)*text) || one_of("one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve", text);
 }
 
+/* Which word of a phrase its number is: one that goes before one that stays. */
+static int number_of(const char *text, const struct found *found)
+{
+    int number = found->n - 1;
+
+    for (int i = found->n - 1; i >= 0; i--)
+        if (is_number(text + found->start[i]) && (!found->stays[i] || found->stays[number]))
+            number = i;
+    return number;
+}
+
 /* The plain wording with the phrase's number for its `#`. */
 static size_t with_number(const char *text, const struct found *found, const char *plain, char wording[static WORDING])
 {
-    size_t before = strcspn(plain, "#"), number = 0, i = 0;
+    size_t before = strcspn(plain, "#"), number;
+    int i = number_of(text, found);
 
     if (!plain[before])
         return strlen(strcpy(wording, plain));
-    while (i + 1 < (size_t)found->n && !is_number(text + found->start[i]))
-        i++;
     number = found->end[i] - found->start[i];
     if (number + strlen(plain) > WORDING)
         return 0;
