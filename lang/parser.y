@@ -542,10 +542,12 @@ repeat_statement:
 | WORK_LAST count ROW_WORD again        { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_LAST; $$->again.last = $count; }
 | WORK_THEM again                       { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_THEM; }
 | GO_ON_ROWS count more ROW_WORD pattern
-                                        { $$ = stmt_again(parse, @$, syntax_go_on(parse, @$, $count)); }
-| WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(parse, @$, $count)); }
-| WORK count more ROW_WORD MORE         { $$ = stmt_again(parse, @$, syntax_go_on(parse, @$, $count)); }
-| WORK FOR_ROWS count more ROW_WORD     { $$ = stmt_again(parse, @$, syntax_go_on(parse, @$, $count)); }
+                                        { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
+| GO_ON_ROWS count more ROW_WORD TOTAL  { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); $$->again.kind = AGAIN_UNTIL_ROWS; }
+| WORK count more ROW_WORD TOTAL           { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); $$->again.kind = AGAIN_UNTIL_ROWS; }
+| WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
+| WORK count more ROW_WORD MORE         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
+| WORK FOR_ROWS count more ROW_WORD     { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK_ROWS parts again                 { $$ = stmt_again(parse, @$, syntax_work_again($parts.first, $again)); }
 ;
 pattern: %empty | FOR_PATTERN;
@@ -574,6 +576,7 @@ again_counted:
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | CROSS count MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
 | FOR_ROWS count more ROW_WORD          { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count}; }
+| FOR_ROWS count more ROW_WORD TOTAL    { $$ = (struct again){.kind = AGAIN_TOTAL_ROWS, .n = $count}; }
 | FOR_TOTAL count ROW_WORD              { $$ = (struct again){.kind = AGAIN_TOTAL_ROWS, .n = $count}; }
 | FOR_TOTAL count TIMES                 { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }
 | count TIMES TOTAL                     { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }

@@ -491,7 +491,7 @@ bool scanner_prose(struct scanner *scanner)
         scanner->titles++;
         return true;
     }
-    if (!again && !prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text) && (scanner->begun || !prose_is_measure(text)))
+    if (!again && !prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text) && (scanner->begun || is_mistyped(text) || !prose_is_measure(text)))
         return false;
 
     if (scanner->begun && prose_sizes(scanner, span))

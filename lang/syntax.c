@@ -545,23 +545,13 @@ struct again syntax_again(struct row_numbers *numbers, struct expr *last, struct
     return again;
 }
 
-/* "until 10 rows", "for a total of 10 rows" */
-static bool counts_all(const char *text, size_t length)
+struct again syntax_go_on(struct span span, struct expr *count)
 {
-    static const char *const word[] = {"until", "till ", "total"};
+    const char *text = span.source->text + span.start;
+    bool total = false;
 
-    for (size_t i = 0; i + 5 <= length; i++)
-        for (size_t w = 0; w < sizeof word / sizeof *word; w++)
-            if (strncasecmp(text + i, word[w], 5) == 0)
-                return true;
-    return false;
-}
-
-struct again syntax_go_on(const struct parse *parse, struct span span, struct expr *count)
-{
-    size_t length = span.end - span.start;
-    bool total = counts_all(span.source->text + span.start, length) || counts_all(parse->text + span.start, length);
-
+    for (size_t n = span.end - span.start; n > 5; n--, text++)
+        total |= strncasecmp(text, "until", 5) == 0 || strncasecmp(text, "till ", 5) == 0 || strncasecmp(text, "total", 5) == 0;
     return (struct again){.which = AGAIN_GO_ON, .kind = total ? AGAIN_UNTIL_ROWS : AGAIN_ROWS, .n = count};
 }
 

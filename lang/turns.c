@@ -39,9 +39,6 @@ const struct phrase turns_of_pages[] = {
     {"alternately|alternating =to|across|around", ""},
     {"and continue =to|across|around", "rep"},
     {"=st|st.|stitch|sts|rib|ribbing|garter|stockinette|welt ,? =for =# =rows|rounds|rnds in? total|altogether|all", ""},
-    {"for # rows|rounds|rnds in? total|altogether|all", "until # rows"},
-    {"< work # rows|rounds|rnds in? the? pattern|patt|pat? in? total|altogether|all", "rep until # rows"},
-    {"=# =rows|rounds|rnds total|altogether", ""},
 
     /* whole rows */
     {"work all? the? sts|stitches as they appear|come|lie", "k k st p p st"},
@@ -222,10 +219,10 @@ const struct phrase turns_of_pages[] = {
     {"last rep|repeat ends|ending with|at|after|in?", "end last rep"},
 
     /* a row's neighbour */
-    {"=# =rows|rounds|rnds , bind|cast off", "; bind off"},
-    {"=# =rows|rounds|rnds and|then bind|cast off", "; bind off"},
+    {"=# =rows|rounds|rnds =in? =total|altogether|all? , bind|cast off", "; bind off"},
+    {"=# =rows|rounds|rnds =in? =total|altogether|all? and|then bind|cast off", "; bind off"},
     {"=once|twice|times|square|long|length|end|done and|then =bo", ";"},
-    {"=# =rows|rounds|rnds , then bind|cast off", "; bind off"},
+    {"=# =rows|rounds|rnds =in? =total|altogether|all? , then bind|cast off", "; bind off"},
 
     /* line ends within */
     {"=end =of =the|this|each? =row|round|rnd", ""},
