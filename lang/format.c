@@ -256,13 +256,13 @@ static bool has_own_words(const struct format *f, const struct token *first, con
 /* The end of a statement's text: behind a bracket read over in part, and behind a word whose letters are written in more bytes. */
 static unsigned text_end(const char *text, struct span span)
 {
-    unsigned at = span.end, close = span.end + (unsigned)strcspn(text + span.end, ")\r\n#");
+    unsigned at = span.end, close = span.end + (unsigned)strcspn(text + span.end, ")]\r\n#");
     int open = 0;
     bool wide = false;
 
     for (unsigned i = span.start; i < span.end; i++)
-        open += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
-    if (open > 0 && text[close] == ')')
+        open += strchr("([", text[i]) ? 1 : strchr(")]", text[i]) ? -1 : 0;
+    if (open > 0 && strchr(")]", text[close]) && text[close])
         return close + 1;
     while (at > span.start && !strchr(" \t\r\n", text[at - 1]))
         wide |= (unsigned char)text[--at] >= 0x80;
