@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "lang/compile.h"
+#include "lang/joined.h"
 #include "lang/limits.h"
 #include "lang/marks.h"
 #include "lang/page_chart.h"
@@ -227,6 +228,7 @@ size_t source_blank(const char *text)
 
 const char *source_plain(struct arena *arena, const struct source *source, struct named *named)
 {
+    const char *plain;
     char *text = NULL;
 
     for (size_t at = 0; (at += strcspn(source->text + at, spelling_first)) < source->size; at++) {
@@ -241,7 +243,9 @@ const char *source_plain(struct arena *arena, const struct source *source, struc
     }
     if (source->size > WORDS_PAGE)
         return text ? text : source->text;
-    return wording_plain(arena, named_plain(arena, marks_plain(arena, text ? text : source->text, source->size), source->size, named), source->size);
+    plain = marks_plain(arena, text ? text : source->text, source->size);
+    plain = named_plain(arena, joined_plain(arena, plain, source->size), source->size, named);
+    return wording_plain(arena, plain, source->size);
 }
 
 const char *source_read_as(struct arena *arena, const struct source *source, const struct page_chart *chart, struct named *named)

@@ -32,6 +32,7 @@ bool prose_stitches_follow(const char *text);       /* a row's text, of a list t
 bool prose_repeat_follows(const char *text);        /* "rep", "repeat" */
 size_t prose_names_pattern(const char *text);       /* "work panel A over 12 sts": its bytes, no more than of a name; or 0 */
 size_t prose_bracket_length(const char *text);      /* "(see below)": its bytes, where it is closed near by; or 0 */
+bool prose_remark_follows(const char *text);        /* " Place markers at both ends.": a sentence without a row's words */
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */
 bool prose_says_how_often(const char *text);        /* "work in pattern twice": whole patterns, no length */

@@ -187,6 +187,36 @@ bool prose_repeat_follows(const char *text)
     return words_find(words_skip_blanks(text), word, 2) >= 0;
 }
 
+/* Behind a sentence of two words or more, none of which is a row's; NULL: it is none. */
+static const char *behind_remark(const char *text)
+{
+    static const char *const work[] = {"k", "p", "knit", "knits", "purl", "purls", "rep", "repeat", "row", "rows", "rnd", "round", "rs", "ws", "st", "sts", "stitch",
+                                       "stitches", "times", "twice", "end", "ending", "last", "across", "slip", "sl", "wrap", "work", "cast", "bind", "as", "same", "turn"};
+    int words = 0, nwork = sizeof work / sizeof *work - words_is(text, "do");
+
+    if (!isupper((unsigned char)*text) || words_length(text) < 2)
+        return NULL;
+    for (; *text && !strchr(".!\r\n", *text); words++) {
+        size_t n = words_length(text);
+
+        if (!n || words_find(text, work, nwork) >= 0)
+            return NULL;
+        text += n;
+        text += strspn(text, " \t,'-");
+    }
+    return words > 1 ? text + strspn(text, ".! \t") : NULL;
+}
+
+bool prose_remark_follows(const char *text)
+{
+    const char *behind = behind_remark(words_skip_blanks(text)), *next;
+
+    for (next = behind; next && *next && !strchr("\r\n", *next); next = behind_remark(next))
+        behind = next;
+    behind = next ? next : behind;
+    return behind && (!syntax_is_row(behind) || prose_statement_follows(behind));
+}
+
 bool prose_count_follows(const char *text)
 {
     const char *sts;

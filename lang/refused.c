@@ -294,7 +294,7 @@ static size_t sentence_length(const char *words, const char *text)
             return 0;
         at += length;
         if (word[n])
-            at += strspn(text + at, " \t");
+            at += strspn(text + at, " \t\r\n");
     }
     return at;
 }
@@ -314,7 +314,8 @@ bool refused_sentence(struct diag *diag, struct span line)
 
             if (!length || length >= sizeof copy)
                 continue;
-            memcpy(copy, text + at, length);
+            for (size_t j = 0; j < length; j++)
+                copy[j] = (char)(isspace((unsigned char)text[at + j]) ? ' ' : text[at + j]);
             copy[length] = '\0';
             report(diag, copy, (struct span){line.source, at, at + (unsigned)length}, sentences[i].reason, sentences[i].what);
             return true;
