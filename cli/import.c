@@ -41,7 +41,7 @@ static const struct format {
     {".png", picture_is_png, "A picture", read_png},
     {".k", knitout_is, "Knitout", read_knitout},
     {".knitout", knitout_is, "Knitout", read_knitout},
-    {".csv", NULL, "A table of k and p", read_csv},
+    {".csv", csv_is, "A table of k and p", read_csv},
     {".tsv", NULL, "A table of k and p", read_csv},
     {".chart", legend_is, "A chart of signs", read_legend},
     {".ks", words_is, "Written rows", read_words},
@@ -134,7 +134,8 @@ static const char *other_format(const struct source *source)
 
 static struct pattern read_pattern(struct import *import, const struct format *format)
 {
-    const char *other = format->extension ? NULL : other_format(import->source);
+    bool guessed = !format->extension || format->read == read_csv;
+    const char *other = guessed ? other_format(import->source) : NULL;
     if (other) {
         diag_error(&import->diag, CODE_CHART_MARK, (struct span){import->source, 0, 0}, "this is %s, not a chart", other);
         if (strcmp(other, "a script") == 0)
