@@ -306,13 +306,13 @@ size_t heads_example(const char *text, size_t *number)
 {
     static const char *const named[] = {"i", "we", "sample", "shown", "example", "mine", "used", "eg", "e", "such", "photo", "model", "pictured", "ex", "say"},
                              *const multiple[] = {"multiple", "even", "odd", "any", "number"}, *const once[] = {"sts", "st", "stitches"};
-    size_t line = words_line_length(text), at = 0, from = 0, n;
+    size_t line = words_line_within(text, WORDS_REACH), at = 0, from = 0, n;
     bool of = false, said = false;
 
     /* Behind the multiple, a comma, a dash or a bracket begins what says who has how many. */
     for (*number = 0; at < line && !(said && *number && strchr(").", text[at])); at += n ? n : 1) {
         n = words_length(text + at);
-        of |= n && words_find(text + at, multiple, 5) >= 0;
+        of = of || (n && words_find(text + at, multiple, 5) >= 0);
         from = of && !from && strchr("(,-\xE2", text[at]) ? at : from;
         said |= from && n && words_find(text + at, named, sizeof named / sizeof *named) >= 0;
         if (from && !n && isdigit((unsigned char)text[at])) {

@@ -230,9 +230,11 @@ static void join_word(char *text, size_t at)
 /* Whether nothing but blanks, marks and numbers of a list stand before, on the line. */
 static bool begins_item(const char *text, size_t at)
 {
-    while (at > 0 && strchr(" \t-*+>.)0123456789", text[at - 1]))
+    size_t margin = at > WORDS_MARGIN ? at - WORDS_MARGIN : 0;
+
+    while (at > margin && strchr(" \t-*+>.)0123456789", text[at - 1]))
         at--;
-    return at == 0 || strchr("\r\n", text[at - 1]);
+    return at == 0 || words_ends_line(text[at - 1]);
 }
 
 /* How long `~~k2, p2~~` is, which was struck out; or 0. */
@@ -246,7 +248,7 @@ static size_t struck_length(const char *text)
 /* How long `[ ]`, `[x]` is before an item of a list; or 0. */
 static size_t box_length(const char *text, size_t at)
 {
-    return begins_item(text, at) && strchr(" xX", text[at + 1]) && text[at + 1] && text[at + 2] == ']' && text[at + 3] == ' ' ? 3 : 0;
+    return strchr(" xX", text[at + 1]) && text[at + 1] && text[at + 2] == ']' && text[at + 3] == ' ' && begins_item(text, at) ? 3 : 0;
 }
 
 /* How long `<b>`, `</p>`, `<br />` is; or 0. `line`: it ends a line; `cell`: a cell of a table. */
@@ -298,7 +300,7 @@ static size_t emphasis_length(const char *text, size_t at, size_t marks)
         return 0;
     if (text[at] == '_')
         return text[at + 1 + n] == '_' && !isspace((unsigned char)text[at + n]) ? n : 0;
-    if (text[at + marks + n] != '*' || (marks == 2) != (text[at + marks + n + 1] == '*') || ((marks == 1) != begins_item(text, at) && !isdigit((unsigned char)text[at + marks])))
+    if (text[at + marks + n] != '*' || (marks == 2) != (text[at + marks + n + 1] == '*') || (!isdigit((unsigned char)text[at + marks]) && (marks == 1) != begins_item(text, at)))
         return 0;
     return is_emphasised(text + at + marks, n, marks) ? n : 0;
 }

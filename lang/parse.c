@@ -241,7 +241,7 @@ const char *source_plain(struct arena *arena, const struct source *source, struc
         at += strlen(spelling->text) - 1;
         text[at] = spelling->plain;
     }
-    if (source->size > WORDS_PAGE)
+    if (!words_are_page(source->text, source->size))
         return text ? text : source->text;
     plain = marks_plain(arena, text ? text : source->text, source->size);
     plain = named_plain(arena, joined_plain(arena, plain, source->size), source->size, named);

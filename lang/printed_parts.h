@@ -40,7 +40,9 @@ static inline size_t print_line_start(const char *text, size_t at)
 /* Where the word begins that ends before `at`, blanks and a full stop aside. */
 static inline size_t print_word_before(const char *text, size_t at)
 {
-    while (at > 0 && strchr(" \t.", text[at - 1]))
+    size_t margin = at > WORDS_MARGIN ? at - WORDS_MARGIN : 0;
+
+    while (at > margin && (text[at - 1] == ' ' || text[at - 1] == '\t' || text[at - 1] == '.'))
         at--;
     while (at > 0 && isalpha((unsigned char)text[at - 1]))
         at--;

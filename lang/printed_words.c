@@ -155,7 +155,7 @@ static size_t count_length(const char *text, char plain[static PRINTED_PLAIN])
     static const char *const word[] = {"a", "an", "any", "even", "odd", "uneven", "number", "of"};
     size_t at = 0, n;
 
-    while (words_find(text + at, word, 8) >= 0) {
+    for (int words = 0; words < 8 && words_find(text + at, word, 8) >= 0; words++) {
         at += words_length(text + at);
         at += print_blanks(text + at);
     }

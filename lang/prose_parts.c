@@ -375,7 +375,7 @@ size_t prose_names_pattern(const char *text)
         for (int i = 0; i < 5 && isspace((unsigned char)text[at - 1]) && !isspace((unsigned char)text[at]); i++) {
             size_t behind = at + strlen(words[i]);
 
-            if (strncasecmp(text + at, words[i], strlen(words[i])) == 0)
+            if ((text[at] | 0x20) == *words[i] && strncasecmp(text + at, words[i], strlen(words[i])) == 0)
                 named = behind < end && isspace((unsigned char)text[behind]) ? end : named > behind ? named : behind;
         }
     return named > LIMIT_NAME ? LIMIT_NAME : named;

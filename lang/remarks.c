@@ -119,6 +119,8 @@ static const struct opening {
                 {":", 0, true}, {"-", 0, true}, {"~", 0, true}, {"\xE2\x80\x93", 0, true}, {"\xE2\x80\x94", 0, true}, {"", 0, true}};
 enum { OPENINGS = sizeof openings / sizeof *openings };
 
+enum { SENTENCE = 200 };
+
 /* `You should have 24 sts on the needle.` up to the line's end, or up to `close`; 0: something else. */
 static size_t sentence_length(const char *text, char close, bool named, int *number)
 {
@@ -128,13 +130,14 @@ static size_t sentence_length(const char *text, char close, bool named, int *num
 
     for (; text[at] && !strchr("\r\n", text[at]) && text[at] != close; at += n ? n : 1) {
         n = words_length(text + at);
-        if (n ? words_find(text + at, words, sizeof words / sizeof *words) < 0 : !strchr(" \t.:0123456789", text[at]))
+        if (at > SENTENCE || (n ? words_find(text + at, words, sizeof words / sizeof *words) < 0 : !strchr(" \t.:0123456789", text[at])))
             return 0;
         named &= words_find(text + at, words, 6) < 0;
         if (!n && isdigit((unsigned char)text[at])) {
             n = strspn(text + at, "0123456789");
             *number = n < 7 ? atoi(text + at) : 0;
-            numbers++;
+            if (++numbers > 1)
+                return 0;
         }
     }
     if (numbers != 1 || named || !*number || (close && close != '|' && text[at] != close))

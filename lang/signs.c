@@ -105,9 +105,9 @@ static size_t aside_length(const char *text, size_t at)
 {
     size_t n = strncmp(text + at, "//", 2) == 0 || strncmp(text + at, "<-", 2) == 0 ? 2 : 0;
 
-    if (!n || at == 0 || text[at - 1] != ' ' || words_line_has(text + at, "rep") || words_line_has(text + at, "repeat") || !remarks_in_row(text, at))
+    if (!n || at == 0 || text[at - 1] != ' ' || words_line_has_sign(text + at, "0123456789*()[]") || !remarks_in_row(text, at))
         return 0;
-    return words_line_has_sign(text + at, "0123456789*()[]") ? 0 : words_line_length(text + at);
+    return words_line_has(text + at, "rep") || words_line_has(text + at, "repeat") ? 0 : words_line_length(text + at);
 }
 
 /* The dots of `K2, P2 ... end K2`. */
@@ -127,9 +127,9 @@ static size_t previous_length(const char *text, size_t at, char plain[static SIG
     size_t end = at;
     int row = row_begun(text, at);
 
-    while (words_find(text + end, leads, 10) >= 0)
+    while (row > 1 && words_find(text + end, leads, 10) >= 0)
         end += words_length(text + end) + (text[end + words_length(text + end)] == ' ');
-    if (row < 2 || end == at)
+    if (end == at)
         return 0;
     if (words_find(text + end, which, 6) >= 0) {
         same = words_find(text + end, which, 6) > 3;
@@ -263,11 +263,11 @@ static bool is_between_rows(const char *text, size_t at)
 {
     static const char *const rows[] = {"row", "rows", "round", "rounds", "rnd", "rnds"},
                              *const again[] = {"rep", "repeat", "as", "work"};
-    size_t word = at, end;
+    size_t word = at, margin = at > WORDS_MARGIN ? at - WORDS_MARGIN : 0, end;
 
-    while (word > 0 && (isdigit((unsigned char)text[word - 1]) || strchr("/, ", text[word - 1])))
+    while (word > margin && isdigit((unsigned char)text[at + 1]) && (isdigit((unsigned char)text[word - 1]) || strchr("/, ", text[word - 1])))
         word--;
-    if (word == at || !isdigit((unsigned char)text[at + 1]))
+    if (word == at)
         return false;
     for (end = word; word > 0 && isalpha((unsigned char)text[word - 1]);)
         word--;

@@ -46,9 +46,11 @@ static bool behind_stitch(const char *text, size_t at)
 /* Whether nothing but blanks and marks of a list stands before, on the line. */
 static bool begins_line(const char *text, size_t at)
 {
-    while (at > 0 && strchr(" \t*-", text[at - 1]))
+    size_t margin = at > WORDS_MARGIN ? at - WORDS_MARGIN : 0;
+
+    while (at > margin && strchr(" \t*-", text[at - 1]))
         at--;
-    return at == 0 || strchr("\r\n", text[at - 1]);
+    return at == 0 || words_ends_line(text[at - 1]);
 }
 
 static bool breaks(const char *text, const struct found *found)
@@ -288,9 +290,9 @@ static void put_head(struct wording *w, size_t at, bool inside)
 /* Leaves of `Cast on a multiple of 4 (I used 24)` the number that was. */
 static void put_example(struct wording *w, size_t at)
 {
-    size_t cast = at + one_of("cast on|cast-on|co", w->text + at), number, length = heads_example(w->text + cast, &number), digits;
+    size_t cast = at + one_of("cast on|cast-on|co", w->text + at), number, length = cast > at ? heads_example(w->text + cast, &number) : 0, digits;
 
-    if (cast == at || !length)
+    if (!length)
         return;
     number += cast;
     digits = strspn(w->text + number, "0123456789");
@@ -303,11 +305,12 @@ static void put_inner(struct wording *w, size_t at)
 {
     size_t line = at, close = at + 2 + strcspn(w->text + at + 2, "*:(){}[]\r\n"), behind;
 
+    if (strncmp(w->text + close, "**", 2) != 0 || w->text[close + 2] == '*')
+        return;
     while (line > 0 && !strchr("\r\n:", w->text[line - 1]))
         line--;
     behind = phrases_skip(w->text, close + 2);
-    if (line == 0 || w->text[line - 1] != ':' || !memchr(w->text + line, '*', at - line) || strncmp(w->text + close, "**", 2) != 0 ||
-        w->text[close + 2] == '*' || words_is(w->text + close - (close > 5 ? 5 : 0), "from") || !(isdigit((unsigned char)w->text[behind]) || one_of("twice|thrice|once|two|three|four|x", w->text + behind)))
+    if (line == 0 || w->text[line - 1] != ':' || !memchr(w->text + line, '*', at - line) || words_is(w->text + close - (close > 5 ? 5 : 0), "from") || !(isdigit((unsigned char)w->text[behind]) || one_of("twice|thrice|once|two|three|four|x", w->text + behind)))
         return;
     memcpy(own_text(w) + at, " (", 2);
     memcpy(own_text(w) + close, ") ", 2);

@@ -33,6 +33,17 @@ bool words_line_is_long(struct words_line *line, const char *text, size_t at)
     return line->end - line->start > WORDS_LINE && at < line->end;
 }
 
+bool words_are_page(const char *text, size_t size)
+{
+    size_t looks = 0;
+
+    for (size_t at = 0, line; size <= WORDS_PAGE && at < size; at += line + 1) {
+        line = words_line_length(text + at);
+        looks += line > WORDS_LINE ? 0 : line * line;
+    }
+    return size <= WORDS_PAGE && looks <= WORDS_LOOKS;
+}
+
 int words_depth(const char *text, size_t length, int depth)
 {
     for (size_t i = 0; i < length; i++)

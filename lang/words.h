@@ -83,8 +83,10 @@ static inline bool words_is_name(const char *text, const char *name)
 
 enum {
     WORDS_PAGE = 1000000,   /* bytes of the longest page, */
+    WORDS_LOOKS = 500000000,/* looks at them, from each place of a line at the whole line, */
     WORDS_LINE = 4000,      /* and of its longest line; what is beyond them was written by a program */
-    WORDS_REACH = 1000      /* how far it is looked for a word that changes what stands before it */
+    WORDS_REACH = 1000,     /* how far it is looked for a word that changes what stands before it, */
+    WORDS_MARGIN = 200      /* and through blanks and marks for the line's beginning */
 };
 
 static inline bool words_ends_line(char c)
@@ -112,8 +114,8 @@ static inline bool words_line_has_sign(const char *text, const char *signs)
 {
     size_t line = words_line_length(text);
 
-    for (size_t i = 0; i < line; i++)
-        if (strchr(signs, text[i]))
+    for (; *signs; signs++)
+        if (memchr(text, *signs, line))
             return true;
     return false;
 }
@@ -128,10 +130,8 @@ static inline size_t words_line_start(const char *text, size_t at)
 
 static inline bool words_line_has(const char *text, const char *word)
 {
-    size_t n = words_line_within(text, WORDS_REACH);
-
-    for (size_t i = 0; i < n; i += words_length(text + i) + 1)
-        if ((text[i] | 0x20) == *word && words_is(text + i, word))
+    for (size_t i = 0; i < WORDS_REACH && text[i] && !words_ends_line(text[i]); i++)
+        if ((text[i] | 0x20) == *word && (i == 0 || !isalpha((unsigned char)text[i - 1])) && words_is(text + i, word))
             return true;
     return false;
 }
@@ -143,6 +143,9 @@ struct words_line {
 
 /* Whether a place is on a line longer than those of pages: what these may say is not looked for there. */
 bool words_line_is_long(struct words_line *, const char *text, size_t at);
+
+/* Whether a text is as much as a page has: what is more was written by a program, and is read as it is written. */
+bool words_are_page(const char *text, size_t size);
 
 /* How many braces are open behind so many bytes, of `depth` before them. */
 int words_depth(const char *text, size_t length, int depth);
