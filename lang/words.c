@@ -46,6 +46,8 @@ bool words_are_page(const char *text, size_t size)
 
 int words_depth(const char *text, size_t length, int depth)
 {
+    if (!memchr(text, '{', length) && !memchr(text, '}', length))
+        return depth;
     for (size_t i = 0; i < length; i++)
         depth += text[i] == '{' ? 1 : text[i] == '}' && depth > 0 ? -1 : 0;
     return depth;
