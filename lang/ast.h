@@ -170,6 +170,7 @@ struct again {
     bool                more;           /* "3 more times", never in all */
     unsigned            from;           /* where the rows begin whose name is mentioned; 0: none is */
     bool                several;        /* names are mentioned */
+    bool                rib;            /* they are to be one */
     struct expr        *n;
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };

@@ -353,7 +353,7 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
     case AGAIN_THEM:
     case AGAIN_GO_ON:
         *texts = rows_pattern(body->rows, again->which == AGAIN_GO_ON);
-        if (texts->n)
+        if (texts->n || again->rib)
             return true;
         diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "there are no numbered rows to go on with");
         return false;
@@ -391,6 +391,21 @@ static bool choose_rows(struct eval *eval, const struct stmt *stmt, const struct
     return false;
 }
 
+/* `Work 4 rows in rib`: which rib that is must stand in the rows above. */
+static bool check_rib(struct eval *eval, const struct stmt *stmt, const struct body *body, struct row_texts texts)
+{
+    if (!rows_are_rib(texts)) {
+        diag_error(eval->diag, CODE_ELSEWHERE, stmt->span, "which rib this is is not said, and the rows above are none");
+        diag_hint(eval->diag, "`Work 4 rows in k2, p2 rib`");
+        return false;
+    }
+    if (rows_passed(body->rows, texts)) {
+        diag_warning(eval->diag, CODE_IN_PATTERN, stmt->span, "which rib this is is not said: that of the rows above");
+        diag_hint(eval->diag, "`Work 4 rows in k2, p2 rib` says it");
+    }
+    return true;
+}
+
 static bool run_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again,
                       struct body *body)
 {
@@ -403,11 +418,11 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
         return false;
     if (!choose_rows(eval, stmt, again, body))
         return false;
-    if (again->which == AGAIN_GO_ON && again->kind == AGAIN_PATTERN && !rows_pattern(body->rows, true).n) {
+    if (again->which == AGAIN_GO_ON && !again->rib && again->kind == AGAIN_PATTERN && !rows_pattern(body->rows, true).n) {
         diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how long the pattern goes on is not said: no row more");
         return true;
     }
-    if (!find_rows(eval, where, stmt, again, body, &texts))
+    if (!find_rows(eval, where, stmt, again, body, &texts) || (again->rib && !check_rib(eval, stmt, body, texts)))
         return false;
     rows_both_sides(body->rows, texts);
     if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))

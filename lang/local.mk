@@ -4,7 +4,7 @@ liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/code
     lang/diag.h lang/diag.c lang/diag_print.c lang/grid.c lang/limits.h lang/source.c \
     lang/names.h lang/names.c lang/ast.h lang/ast.c lang/parse.h lang/parse.c \
     lang/scanner.h lang/scanner.c lang/token_values.h lang/token_values.c lang/unreadable.c lang/brackets.c lang/line_ends.c \
-    lang/syntax.h lang/syntax.c lang/expected.h lang/expected.c lang/words.h lang/words.c lang/lengths.h lang/lengths.c lang/headings.h lang/headings.c lang/named.h lang/named.c lang/prose.h lang/prose.c lang/prose_parts.c lang/wording.h lang/wording.c \
+    lang/syntax.h lang/syntax.c lang/expected.h lang/expected.c lang/words.h lang/words.c lang/lengths.h lang/lengths.c lang/headings.h lang/headings.c lang/named.h lang/named.c lang/ribs.h lang/ribs.c lang/prose.h lang/prose.c lang/prose_parts.c lang/wording.h lang/wording.c \
     lang/phrases.h lang/phrases.c \
     lang/signs.h lang/signs.c lang/remarks.h lang/remarks.c lang/printed.h lang/printed_parts.h lang/printed.c lang/printed_heads.c lang/printed_words.c lang/turns.h lang/turns.c \
     lang/marks.h lang/marks.c lang/joined.h lang/joined.c lang/heads.h lang/heads.c \

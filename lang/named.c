@@ -125,9 +125,12 @@ static void find_names(const char *text, struct names_of_page *names)
 /* How long the name, and what says that it is a pattern's, is at a place; or 0. */
 static size_t named_length(const struct name *name, const char *text)
 {
+    static const char *const rib[] = {"rib", "ribbing"};
     size_t n = name->length;
 
-    if (text < name->rows || strncasecmp(text, name->text, n) != 0 || isalnum((unsigned char)text[n]))
+    if (text >= name->rows && words_find(name->text, rib, 2) >= 0 && n == words_length(name->text) && words_find(text, rib, 2) >= 0)
+        n = words_length(text);
+    else if (text < name->rows || strncasecmp(text, name->text, n) != 0 || isalnum((unsigned char)text[n]))
         return 0;
     for (const char *next; next = words_skip_blanks(text + n), is_of_patterns(next);)
         n = (size_t)(next - text) + words_length(next);

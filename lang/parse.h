@@ -6,6 +6,7 @@
 
 #include "lang/ast.h"
 #include "lang/named.h"
+#include "lang/ribs.h"
 #include "lang/names.h"
 #include "lang/words.h"
 
@@ -19,7 +20,8 @@ struct parse {
     struct expr         *expression;    /* or the value of an option */
     struct scanner      *scanner;
     const struct page_chart *chart;     /* a page's, whose lines are text; or NULL */
-    struct named         named;         /* patterns it calls by a name */
+    struct named         named;         /* patterns it calls by a name, */
+    struct ribs          ribs;          /* and ribs */
     bool                 joined;        /* in the round: what is called a row is one */
     struct words_line    line;          /* of the source that an error was in last */
     struct span          knitted;       /* a part of it without a word that cannot be knitted */

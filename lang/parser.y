@@ -152,6 +152,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token <side> ROW       "'row'"
 %token <side> ROW_WORD  "'rows'"
 %token NEXT_ROWS        "'next' so many rows"
+%token RIB              "'rib'"
 %token RIDGES           "'ridges'"
 %token SETUP_ROW        "'set-up row' behind its number"
 %token <all> ALL        "'all rows'"
@@ -602,6 +603,12 @@ work_statement:
 | WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $4), SIDE_OPEN, SIDE_OPEN), $4)); }
 | WORK in FABRIC FOR_PATTERN            { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
 | WORK in FABRIC                        { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
+| WORK in RIB for count more ROW_WORD   { $$ = stmt_again(parse, @$, syntax_rib(syntax_go_on(@$, $count))); }
+| WORK count more ROW_WORD in RIB       { $$ = stmt_again(parse, @$, syntax_rib(syntax_go_on(@$, $count))); }
+| WORK in RIB UNTIL_LENGTH              { $$ = syntax_goes_on(parse, @$, $4); $$->again.rib = true; }
+| WORK in RIB                           { $$ = syntax_goes_on(parse, @$, (struct measure){0}); $$->again.rib = true; }
+| WORK in RIB UNTIL_ROWS count ROW_WORD { $$ = stmt_again(parse, @$, syntax_rib(syntax_go_on(@$, $count))); }
+| WORK_LENGTH RIB                       { $$ = syntax_goes_on(parse, @$, $1); $$->again.rib = true; }
 | WORK_LENGTH FABRIC starting           { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $1), SIDE_OPEN, $starting), $1)); }
 | STARTING work_statement[work]         { $$ = $work; $$->row.starting = $STARTING; }
 ;

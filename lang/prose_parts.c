@@ -65,7 +65,7 @@ bool prose_repeats_rows(const char *text)
 bool prose_fabric_follows(const char *text)
 {
     static const char *const word[] = {"garter", "g",    "rev",   "reverse", "stockinette", "stocking", "stockinet",
-                                       "st",     "seed", "moss",  "single",  "double"},
+                                       "st",     "seed", "moss",  "single",  "double",      "rib",     "ribbing"},
                              *const knit[] = {"k", "knit"};
     const char *by = words_skip_blanks(text + strspn(text, "0123456789"));
 

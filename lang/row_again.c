@@ -129,6 +129,47 @@ bool rows_worked(const struct row_list *list, struct row_texts texts)
     return list->failed || !texts.n;
 }
 
+static bool has_stitch(const struct work *work, stitch_id stitch)
+{
+    for (; work; work = work->next) {
+        if (work->child && has_stitch(work->child, stitch))
+            return true;
+        for (int i = 0; !work->child && i < work->nruns; i++)
+            if (work->run[i].stitch == stitch)
+                return true;
+    }
+    return false;
+}
+
+/* The stitch at the beginning or the end of a row's text. */
+static stitch_id edge_of(const struct work *work, bool last)
+{
+    while (last && work->next)
+        work = work->next;
+    if (work->child)
+        return edge_of(work->child, last);
+    return work->nruns ? work->run[last ? work->nruns - 1 : 0].stitch : STITCH_K;
+}
+
+bool rows_are_rib(struct row_texts texts)
+{
+    for (int i = 0; i < texts.n; i++) {
+        const struct row_text *text = texts.text[i], *next = i + 1 < texts.n ? texts.text[i + 1] : text;
+
+        if (text->as_below)
+            continue;
+        if (text->as_opposite || !text->work || !has_stitch(text->work, STITCH_K) || !has_stitch(text->work, STITCH_P))
+            return false;
+        if (next == text || !next->work)
+            continue;
+
+        /* Flat, the next row begins where this one ends, and shows the other face. */
+        if (text->round ? edge_of(text->work, false) != edge_of(next->work, false) : edge_of(text->work, true) == edge_of(next->work, false))
+            return false;
+    }
+    return texts.n > 0;
+}
+
 bool rows_passed(const struct row_list *list, struct row_texts texts)
 {
     for (int i = 0; i < texts.n && list->norder; i++)

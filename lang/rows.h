@@ -121,6 +121,9 @@ bool rows_choose(struct row_list *, struct span, unsigned first);
 /* Whether several patterns are described, and none of them chosen. */
 bool rows_to_choose(const struct row_list *);
 
+/* Whether these can be a rib: knit and purl stitches in each, the edges of each showing what those of the next show. */
+bool rows_are_rib(struct row_texts);
+
 /* Whether others were worked behind these. */
 bool rows_passed(const struct row_list *, struct row_texts);
 

@@ -86,11 +86,12 @@ bool scanner_closes_repeat(const struct scanner *scanner)
     return previous == TOKEN_REP_FROM || previous == TOKEN_REP || (previous == TOKEN_STAR && !scanner->star);
 }
 
-bool scanner_names_rows(const struct scanner *scanner)
+bool scanner_names_rows(struct scanner *scanner)
 {
-    const char *text = SCANNER_TEXT(scanner);
+    struct parse *parse = scanner->parse;
+    size_t at = (size_t)(words_skip_blanks(SCANNER_TEXT(scanner)) - parse->text);
 
-    return scanner->parse->named.nheadings && named_is_heading(&scanner->parse->named, (size_t)(words_skip_blanks(text) - scanner->parse->text));
+    return named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at);
 }
 
 bool scanner_in_row_head(const struct scanner *scanner)

@@ -91,8 +91,8 @@ void scanner_blank_line(struct scanner *, const char *line_ends);
 /* Whether what was read last is a group that can be repeated. */
 bool scanner_closes_group(const struct scanner *);
 
-/* Whether what comes next is the name of the rows below it. */
-bool scanner_names_rows(const struct scanner *);
+/* Whether what comes next is the name of the rows below it, or describes a rib. */
+bool scanner_names_rows(struct scanner *);
 
 /* Whether the statement is a row. */
 bool scanner_in_row_head(const struct scanner *);

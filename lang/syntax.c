@@ -555,6 +555,12 @@ struct again syntax_go_on(struct span span, struct expr *count)
     return (struct again){.which = AGAIN_GO_ON, .kind = total ? AGAIN_UNTIL_ROWS : AGAIN_ROWS, .n = count};
 }
 
+struct again syntax_rib(struct again again)
+{
+    again.rib = true;
+    return again;
+}
+
 /* "then row 1": once, where nothing is said. */
 struct again *syntax_then(struct parse *parse, struct span span, struct row_numbers *numbers, struct again again)
 {

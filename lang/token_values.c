@@ -267,6 +267,20 @@ void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span
     }
 }
 
+int scanner_rib(struct scanner *scanner, KNIT_STYPE *value, struct span span)
+{
+    struct ribs *ribs = &scanner->parse->ribs;
+
+    ribs_read(ribs, scanner->parse->text, span.start);
+    if (ribs->n > 1) {
+        diag_error(scanner->parse->diag, CODE_ELSEWHERE, span, "which rib this is is not said: there are several");
+        diag_hint(scanner->parse->diag, "`Work 4 rows in k%d, p%d rib`", ribs->knit, ribs->purl);
+        return TOKEN_KNIT_error;
+    }
+    value->fabric = (struct fabric){FABRIC_RIB, ribs->knit, ribs->purl};
+    return scanner_token(scanner, ribs->n ? TOKEN_FABRIC : TOKEN_RIB);
+}
+
 /* "every alternate row", "alt rows"; "every following row" is each of them. */
 void scanner_following(KNIT_STYPE *value, const char *text)
 {

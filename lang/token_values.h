@@ -24,6 +24,8 @@ void scanner_side(KNIT_STYPE *, const char *text);
 void scanner_starting(KNIT_STYPE *, const char *text);
 void scanner_all(KNIT_STYPE *, const char *text);
 void scanner_following(KNIT_STYPE *, const char *text);
+/* `rib`, of which the page may say elsewhere which it is: the token. */
+int scanner_rib(struct scanner *, KNIT_STYPE *, struct span);
 void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *text);
 
 /* `until piece measures 8 in`: how many rows that is, where the page says so. */

@@ -59,8 +59,6 @@ const struct phrase turns_of_pages[] = {
     {"=stocking|stockinette|garter|moss|seed|rev|reverse - =st|stitch|stocking|stockinette", ""},
     {"=repeat|rep the? above =row|rows|round|rounds|rnd|rnds", "these"},
     {"like =row|rows|round|rnd|rounds|rnds", "as"},
-    {"=work|cont|continue =in rib|ribbing for a? further? =# =rows|rounds|rnds|row", "pat for"},
-    {"=in rib|ribbing =for a further =#", ""},
     {"=for a further =#", ""},
 
     {"=work|cont|continue|knit even|straight =for =# =rows|rounds|rnds", ""},

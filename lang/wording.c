@@ -12,6 +12,7 @@
 #include "lang/phrases.h"
 #include "lang/printed.h"
 #include "lang/prose.h"
+#include "lang/ribs.h"
 #include "lang/signs.h"
 #include "lang/turns.h"
 #include "lang/words.h"
@@ -404,6 +405,19 @@ static size_t other_sizes_length(const struct wording *w, size_t at)
     return length && n == w->nsizes && (n > 1 || strchr(" ,", w->text[at + length])) ? length : 0;
 }
 
+/* Puts `k2 p2 rib` for `Rib: *k2, p2*` at the beginning of a sentence. */
+static void put_described_rib(struct wording *w, size_t at)
+{
+    char plain[RIBS_PLAIN];
+    size_t length, before = at;
+
+    while (before > 0 && strchr(" \t", w->text[before - 1]))
+        before--;
+    length = before == 0 || strchr(".;\r\n", w->text[before - 1]) ? ribs_length(w->text + at, plain) : 0;
+    if (length)
+        put_blanks(w, at, length, plain);
+}
+
 /* ---- rows that are rounds ---- */
 
 bool wording_is_joined(const char *text)
@@ -466,6 +480,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
             at = words_skip_quoted(w.text, at);
             continue;
         }
+        if (c && strchr("rRkK123456", c) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])))
+            put_described_rib(&w, at);
         at += stitches_length(w.text + at);
         c = (unsigned char)w.text[at];
         if (strchr("([", c) && c && other_sizes_length(&w, at))
