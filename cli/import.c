@@ -125,23 +125,24 @@ bool import_chart(struct arena *arena, struct diag *diag, const struct source *s
 
 /* ---- the command ---- */
 
-/* What a file that could only be read as lines of K and P is instead; NULL: nothing known. */
-static const char *other_format(const struct source *source)
+/* What a file that is not known by its first bytes is instead, and what to do then; NULL: nothing known. */
+static const char *other_format(const struct source *source, const struct format *format, const char **advice)
 {
-    const char *dot = strrchr(source->name, '.'), *other = source_other_format(source);
-    return other ? other : dot && strcmp(dot, ".knit") == 0 && !begins_with_stitches(source) ? "a script" : NULL;
+    const char *dot = strrchr(source->name, '.'), *other = source_other_format(source, advice);
+    if (other || format->extension || !dot || strcmp(dot, ".knit") != 0 || begins_with_stitches(source))
+        return other;
+    *advice = "it needs no import: `weft check`, `weft chart`, `weft run` read it";
+    return "a script";
 }
 
 static struct pattern read_pattern(struct import *import, const struct format *format)
 {
-    bool guessed = !format->extension || format->read == read_csv;
-    const char *other = guessed ? other_format(import->source) : NULL;
+    bool known = format->is && format->is(import->source);
+    const char *advice = NULL, *other = known ? NULL : other_format(import->source, format, &advice);
     if (other) {
         diag_error(&import->diag, CODE_CHART_MARK, (struct span){import->source, 0, 0}, "this is %s, not a chart", other);
-        if (strcmp(other, "a script") == 0)
-            diag_hint(&import->diag, "it needs no import: `weft check`, `weft chart`, `weft run` read it");
-        else
-            diag_hint(&import->diag, "charts are read from .csv, .png with a pixel for each stitch, .k, written rows, and lines of K and P");
+        diag_hint(&import->diag, "%s", advice ? advice : "charts are read from .csv, .png with a pixel for each stitch, .k, "
+                  "written rows, and lines of K and P");
         return (struct pattern){0};
     }
     if (import->source->size <= LIMIT_FILE)

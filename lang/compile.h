@@ -58,8 +58,9 @@ const char *source_called(const char *name);
  * this is an input failure, not an error of the script. */
 const struct source *source_read(struct arena *, const char *path, const char **why);
 
-/* "a PDF file": what its first bytes say it is, where that is neither a script nor a chart; or NULL. */
-const char *source_other_format(const struct source *);
+/* "a PDF file": what its first bytes say it is, where that is neither a script nor a chart, and what to do then, NULL
+ * where nothing helps; or NULL. */
+const char *source_other_format(const struct source *, const char **advice);
 
 /* The path of a file that is there and spelt nearly like this one, which is not; or NULL. */
 const char *source_nearest(struct arena *, const char *path);

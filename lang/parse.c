@@ -48,10 +48,11 @@ static const struct format *find_format(const char *text)
     return NULL;
 }
 
-const char *source_other_format(const struct source *source)
+const char *source_other_format(const struct source *source, const char **advice)
 {
     const struct format *format = find_format(source->text + strspn(source->text, " \t\r\n\f\v"));
 
+    *advice = format ? format->advice : NULL;
     return format ? format->what : NULL;
 }
 

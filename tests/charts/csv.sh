@@ -134,6 +134,7 @@ TEXT
 printf 'k,p\n' | iconv -f ASCII -t UTF-16 >"$work/u.csv" 2>/dev/null || printf '\377\376k\000\n\000' >"$work/u.csv"
 exits 3 'another encoding' "$WEFT" import "$work/u.csv"
 err 'is named' 'this is a text in UTF-16, not a chart'
+err 'with what to do' '^hint: save it as UTF-8'
 awk 'BEGIN { for (i = 0; i < 1500000; i++) printf ","; print "k"; for (i = 0; i < 90000; i++) print "k,,,,,,,,," }' >"$work/wide.csv"
 exits 3 'a line of many empty cells above many lines' sh -c 'ulimit -t 10; exec "$1" import -q "$2"' - "$WEFT" "$work/wide.csv"
 err 'takes no long time' 'error: this cell is empty'

@@ -204,9 +204,9 @@ other() {
     err 'with what to do' "^hint: .*$4"
     check 'once' test "$(grep -c 'error' "$work/err")" = 1
 }
-other photo.jpg '\377\330\377\340\000\020JFIF' 'a JPEG picture' '.png with a pixel for each stitch'
-other moving.gif 'GIF89a\003\000' 'a GIF picture' '.png with a pixel for each stitch'
-other table.xlsx 'PK\003\004\024\000' 'a spreadsheet or another packed file' '.csv'
+other photo.jpg '\377\330\377\340\000\020JFIF' 'a JPEG picture' 'save it as PNG, with a pixel for each stitch'
+other moving.gif 'GIF89a\003\000' 'a GIF picture' 'save it as PNG, with a pixel for each stitch'
+other table.xlsx 'PK\003\004\024\000' 'a spreadsheet or another packed file' 'save the chart in it as CSV'
 other script.knit '# mine\nuse miura from std\nswatch miura\n' 'a script' 'it needs no import: `weft check`'
 printf 'K P\nP P\n' >"$work/grid.knit"
 exits 0 'a grid with the ending of a script' "$WEFT" import "$work/grid.knit"

@@ -94,6 +94,10 @@ err 'takes no room' 'this picture cannot be read: it ends too early'
 } >"$work/photograph.png"
 exits 3 'a photograph' "$WEFT" import "$work/photograph.png"
 err 'is too large' 'the picture is 3000 x 3000 pixels; a fabric may have 4000000 stitches \[E0707\]'
+printf '\377\330\377\340\000\020JFIF' >"$work/jpeg.png"
+exits 3 'a JPEG called .png' "$WEFT" import "$work/jpeg.png"
+err 'is named' 'this is a JPEG picture, not a chart'
+err 'with what to do' '^hint: save it as PNG, with a pixel for each stitch'
 exits 3 'a text called .png' sh -c 'cp "$2/flag.txt" "$2/text.png" && "$1" import "$2/text.png"' - "$WEFT" "$work"
 err 'cannot be read' 'text.png:1:1: error: this is no PNG picture.*E0808'
 
