@@ -115,11 +115,25 @@ size_t prose_rows_within(const char *text)
     return 0;
 }
 
+/* `3 repeats of the 2 rows`, `these 4 rows`: what begins at i is named, not counted. */
+static bool is_named(const char *sentence, size_t i)
+{
+    static const char *const before[] = {"the", "these", "those", "this"};
+
+    while (i > 0 && strchr(" \t", sentence[i - 1]))
+        i--;
+    for (size_t at = i; at > 0 && isalpha((unsigned char)sentence[at - 1]); i = --at)
+        ;
+    return words_find(sentence + i, before, sizeof before / sizeof *before) >= 0;
+}
+
 size_t prose_row_count(const char *sentence)
 {
     for (size_t i = 1, n = words_line_within(sentence, WORDS_REACH); i < n; i++) {
         const char *behind = isspace((unsigned char)sentence[i - 1]) ? words_behind_number(sentence + i) : NULL;
 
+        if (behind && is_named(sentence, i))
+            continue;
         if (behind && words_is(behind, "more"))
             behind = words_skip_blanks(behind + 4);
         if (behind && words_are_rows(behind))

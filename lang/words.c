@@ -19,10 +19,11 @@ bool words_are_stitches(const char *text)
 const char *words_behind_number(const char *text)
 {
     static const char *const word[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
+    static const char *const ordinal[] = {"st", "nd", "rd", "th"};
     size_t digits = strspn(text, "0123456789");
 
     if (digits)
-        return words_skip_blanks(text + digits);
+        return words_find(text + digits, ordinal, 4) < 0 ? words_skip_blanks(text + digits) : NULL;
     return words_find(text, word, sizeof word / sizeof *word) >= 0 ? words_skip_blanks(text + words_length(text)) : NULL;
 }
 
