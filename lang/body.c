@@ -37,6 +37,15 @@ static bool add_label(struct eval *eval, struct labels *labels, long long label,
     return true;
 }
 
+/* Of `from row 3`: up to the last row. */
+static bool add_labels_behind(struct eval *eval, struct labels *labels, int last, struct span span)
+{
+    for (int label = labels->label[0] + 1; label <= last; label++)
+        if (!add_label(eval, labels, label, span))
+            return false;
+    return true;
+}
+
 static bool evaluate_labels(struct eval *eval, struct where where, const struct row_numbers *part,
                             struct labels *labels)
 {
@@ -359,6 +368,7 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
         return false;
     default:
         return evaluate_labels(eval, where, again->numbers, &labels) &&
+               (!again->onwards || add_labels_behind(eval, &labels, rows_last_number(body->rows), stmt->span)) &&
                rows_labelled(body->rows, stmt->span, labels.label, labels.n, texts);
     }
 }

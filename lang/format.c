@@ -248,7 +248,7 @@ static bool has_own_words(const struct format *f, const struct token *first, con
     for (const struct row_numbers *part = row ? row->numbers : NULL; part; part = part->next)
         if (part->all == ALL_EVERY)
             return true;
-    if ((row && (row->setup || (row->numbers && row->starting))) || (stmt->kind == STMT_AGAIN && stmt->again.from))
+    if ((row && (row->setup || (row->numbers && row->starting))) || (stmt->kind == STMT_AGAIN && (stmt->again.from || stmt->again.onwards)))
         return true;
     return row && row->reference && (row->times || row->reference->next || row->reference->last || row->reference->all);
 }

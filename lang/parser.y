@@ -534,7 +534,7 @@ count:
 ;
 
 repeat_statement:
-  REPEAT_ROWS parts again               { $$ = stmt_again(parse, @$, syntax_again($parts.first, NULL, $again)); }
+  REPEAT_ROWS parts again               { $$ = stmt_again(parse, @$, syntax_again($parts.first, NULL, $again)); $$->again.onwards = syntax_onwards(parse, @$, $parts.first); }
 | REPEAT_LAST count ROW_WORD IN_FABRIC FABRIC again
                                         { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }

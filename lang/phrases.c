@@ -109,6 +109,11 @@ static struct at_place look(struct phrases *phrases, const char *text)
         at.word = *bucket_of(phrases, "-", 1, hash_of("-", 1));
         return at;
     }
+    if (strncmp(text, "\xE2\x80\x99", 3) == 0) {   /* an apostrophe */
+        at.length = 3;
+        at.word = *bucket_of(phrases, "'", 1, hash_of("'", 1));
+        return at;
+    }
     while (isalnum((unsigned char)text[at.length]))
         at.length++;
     at.length += at.length == 0 && *text;

@@ -39,7 +39,7 @@ int rows_count(const struct row_list *list)
     return list->norder;
 }
 
-static int last_given(const struct row_list *list)
+int rows_last_number(const struct row_list *list)
 {
     return list->npending ? list->first + list->npending - 1 : list->last_label;
 }
@@ -89,12 +89,12 @@ static void begin_again(struct row_list *list, const struct row_text *text)
     for (int i = 0; i < list->npending; i++)
         if (!list->pending[i] && !list->filler)
             return;
-    if (!list->loose && last_given(list) < 2 && !stand_apart(rows_find(list, 1)->span, text->head))
+    if (!list->loose && rows_last_number(list) < 2 && !stand_apart(rows_find(list, 1)->span, text->head))
         return;
     if (!list->loose && !list->describes) {
         diag_warning(list->diag, CODE_SECOND_PART, text->head,
                      "the rows begin again at 1: taken as a second part, worked on top of the first");
-        diag_hint(list->diag, "a row that is only numbered wrong: `Row %d`", last_given(list) + 1);
+        diag_hint(list->diag, "a row that is only numbered wrong: `Row %d`", rows_last_number(list) + 1);
     }
     list->to_choose = list->describes;
     if (list->describes)
@@ -161,7 +161,7 @@ static void add_at(struct row_list *list, struct row_text *text, int label)
         if (other)
             diag_note(list->diag, other->head, "the first time");
         if (other && label == 1)
-            diag_hint(list->diag, "a second part stands apart, by an empty line or a heading; else `Row %d`", last_given(list) + 1);
+            diag_hint(list->diag, "a second part stands apart, by an empty line or a heading; else `Row %d`", rows_last_number(list) + 1);
         row_list_fail(list);
         return;
     }

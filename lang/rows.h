@@ -109,6 +109,9 @@ bool rows_labelled(struct row_list *, struct span, const int *label, int n, stru
 struct row_texts rows_last(struct row_list *, int n);
 struct row_texts rows_pattern(struct row_list *, bool going_on);
 
+/* The number of the last row given. */
+int rows_last_number(const struct row_list *);
+
 /* The rows given so far are a pattern only: not worked yet. */
 void rows_define(struct row_list *);
 

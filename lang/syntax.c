@@ -545,6 +545,14 @@ struct again syntax_again(struct row_numbers *numbers, struct expr *last, struct
     return again;
 }
 
+bool syntax_onwards(const struct parse *parse, struct span span, const struct row_numbers *numbers)
+{
+    const char *plain = parse->text + span.start, *text = span.source->text + span.start;
+
+    return !numbers->next && !numbers->last && !numbers->all &&
+           (words_is(words_skip_blanks(plain + words_length(plain)), "from") || words_is(words_skip_blanks(text + words_length(text)), "from"));
+}
+
 struct again syntax_go_on(struct span span, struct expr *count)
 {
     const char *text = span.source->text + span.start;

@@ -52,6 +52,7 @@ struct item *syntax_fabric_stitches(struct parse *, struct span, struct fabric, 
 struct again syntax_work_again(struct row_numbers *, struct again);
 struct again syntax_again(struct row_numbers *, struct expr *last, struct again);
 struct again syntax_rib(struct again);
+bool syntax_onwards(const struct parse *, struct span, const struct row_numbers *);    /* `from row 3`, to the last */
 struct again syntax_go_on(struct span, struct expr *count);
 struct again *syntax_then(struct parse *, struct span, struct row_numbers *, struct again);
 

@@ -38,6 +38,7 @@ const struct phrase turns_of_pages[] = {
 
     {"alternately|alternating =to|across|around", ""},
     {"and continue =to|across|around", "rep"},
+    {"=repeat|rep all =# =rows|rounds|rnds", "the"},
     {"=st|st.|stitch|sts|rib|ribbing|garter|stockinette|welt ,? =for =# =rows|rounds|rnds in? total|altogether|all", ""},
 
     /* whole rows */
@@ -131,9 +132,7 @@ const struct phrase turns_of_pages[] = {
     {"=row|rows|rounds|rnds to create|make|get|continue|complete|produce|build", "until"},
 
     {"work them # times|x in|for a? all|total", "rep them # times in all"},
-    {"until|till you|i|we '|’ ve have? worked|knit|knitted|done|completed|repeated|made them|these|this|it|all|the? rows|pattern|repeat? # times in? total|all|altogether?",
-     "for a total of # times"},
-    {"until|till you|i|we have worked|knit|knitted|done|completed|repeated|made them|these|this|it|all|the? rows|pattern|repeat? # times in? total|all|altogether?",
+    {"until|till you|i|we '? ve|have worked|knit|knitted|done|completed|repeated|made them|these|this|it|all|the? rows|pattern|repeat? # times in? total|all|altogether?",
      "for a total of # times"},
     {"until|till they|it|these|the|all rows? have|has|are|is been? worked|knit|knitted|done|completed|repeated # times in? total|all|altogether?",
      "for a total of # times"},
@@ -141,9 +140,10 @@ const struct phrase turns_of_pages[] = {
      "# times in all"},
     {"=#|rows|rounds|rnds until|till # rows|rounds|rnds of|in the|this? pattern|patt|pat have|has|are|is been? worked|completed?|done|knitted?", "for a total of # rows"},
     {"=st|stitch|rib|ribbing|row|rows|rounds|rnds ,|; and? then? proceed|continue|cont|work|begin in? the? main|body? pattern|patt|pat? as follows|below :", "."},
+    {"=row|rows|round|rounds|rnd|rnds =# =to|through|- row|round|rnd =#", ""},
+    {"^ =repeat|rep from the? beginning|start of? the? pattern|patt? =#|twice|once|until|for", "from row 1"},
     {"go|return back? to row|round|rnd # and =repeat|rep =rows|rounds|rnds|these|the|from", ""},
-    {"^ =# )|. rs :", "(RS):"},
-    {"^ =# )|. ws :", "(WS):"},
+    {"^ =# )|. =rs|ws :", ""},
 
     {"=knit|k =# =rows in? garter|g st|stitch?", ""},
     {"=knit|purl|k|p =all? =the? =k|p|knit|purl|knits|purls =sts|stitches|st? as they appear|come|lie|present|face you|themselves|up?", ""},
