@@ -100,6 +100,26 @@ static size_t side_length(const char *text, size_t at, char plain[static SIGNS_P
     return 4;
 }
 
+/* `(RS)` of `All odd-numbered (RS) rows: knit`, which is one side's rows by their number already. */
+static bool is_side_between(const char *text, size_t at)
+{
+    static const char *const sides[] = {"rs", "ws"}, *const which[] = {"even", "odd", "numbered"}, *const work[] = {"knit", "purl", "k", "p"};
+    const char *behind = words_skip_blanks(text + at + 4);
+    size_t before = at;
+
+    if (words_find(text + at + 1, sides, 2) < 0 || text[at + 3] != ')' || !words_are_rows(behind))
+        return false;
+    behind = words_skip_blanks(behind + words_length(behind));
+    behind = *behind == ':' ? words_skip_blanks(behind + 1) : "";
+    if (words_find(behind, work, 4) < 0 || !prose_line_ends(behind + words_length(behind)))
+        return false;
+    while (before > 0 && text[before - 1] == ' ')
+        before--;
+    while (before > 0 && isalpha((unsigned char)text[before - 1]))
+        before--;
+    return words_find(text + before, which, 3) >= 0;
+}
+
 /* `// fixed`, `<- odd one`: words to the reader up to the line's end. */
 static size_t aside_length(const char *text, size_t at)
 {
@@ -447,6 +467,8 @@ size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         plain[1] = '\0';
         return 2;
     }
+    if (*here == '(' && is_side_between(text, at))
+        return 4;
     if (*here == '\t' && remarks_column(text, at))
         return remarks_column(text, at);
     if (*here == 'p' && begins && is_plain_row(text, at)) {
