@@ -17,7 +17,7 @@
 bool remarks_are(const char *text, size_t length)
 {
     static const char *const where[] = {"border", "borders", "edge", "edges", "edging", "selvedge", "selvage", "center", "centre", "middle",
-                                        "panel", "body", "main", "left", "bottom", "top", "margin", "corner", "sts", "stitches"},
+                                        "panel", "body", "main", "left", "bottom", "top", "margin", "corner", "sts", "stitches", "ridge", "fold", "hem"},
                              *const work[] = {"k", "p", "knit", "purl", "twice", "once", "thrice", "times", "rep", "repeat", "row", "rows",
                                               "end", "rs", "ws", "wrong", "all", "st", "stitch", "and"};
     bool found = false;

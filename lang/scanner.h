@@ -44,6 +44,7 @@ struct scanner {
     bool          hole;             /* the bracket closed last was a number's */
     bool          stops;            /* a full stop stood between stitches of this row */
     int           titles;           /* lines of prose before the first statement */
+    unsigned      turned;           /* where `4 k` ends that was read last; 0: none was */
     unsigned      tight;            /* where stitches without a blank between them end */
     unsigned      prose_end;        /* lines before this were called prose */
     bool          quiet;            /* an unclosed bracket was reported: no more about it */

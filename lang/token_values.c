@@ -187,7 +187,13 @@ int scanner_turned(struct scanner *scanner, KNIT_STYPE *value, const char *text)
 
     snprintf(name, sizeof name, "%c%.*s", text[word], (int)(digits < 9 ? digits : 9), text);
     value->text = names_intern(scanner->parse->names, name, strlen(name));
+    scanner->turned = scanner->at;
     return scanner_token(scanner, TOKEN_NAME);
+}
+
+bool scanner_behind_turned(const struct scanner *scanner, struct span next)
+{
+    return scanner->turned && scanner->turned + strspn(scanner->parse->text + scanner->turned, " \t") == next.start;
 }
 
 /* "knit the knits and purl the purls": as below; with the two exchanged: the opposite. */
