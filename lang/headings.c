@@ -43,7 +43,7 @@ static size_t longest(const char *text, const char *const *phrase, int n)
 {
     size_t most = 0;
 
-    for (int i = 0; i < n; i++) {
+    for (int i = isalpha((unsigned char)*text) ? 0 : n; i < n; i++) {
         size_t length = tolower((unsigned char)*text) == *phrase[i] ? phrase_length(text, phrase[i]) : 0;
 
         most = length > most ? length : most;

@@ -10,6 +10,8 @@
 
 struct scanner;
 
+enum { PROSE_NAME = 200 };                          /* bytes a pattern's name is looked for in */
+
 /* All read from a place of the text to the end of its line. */
 /* Whether a sentence, `Work 6 rows of rib as follows:`, is the heading of the rows that begin behind it or on the next line. */
 bool prose_heads_rows(const char *sentence, const char *behind);

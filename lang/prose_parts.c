@@ -383,10 +383,10 @@ size_t prose_names_pattern(const char *text)
     static const char *const words[] = {"pattern", "patt", "chart", "motif", "panel"};
     size_t lead = words_length(text), end = lead, named = 0;
 
-    while (end < 4 * LIMIT_NAME && text[end] && !strchr("\r\n.,;(){}[]*", text[end]))
+    while (end < PROSE_NAME && (isalnum((unsigned char)text[end]) || text[end] == ' ' || (text[end] && !strchr("\r\n.,;(){}[]*", text[end]))))
         end++;
     for (size_t at = lead + 1; at < end && named < end; at++)
-        for (int i = 0; i < 5 && isspace((unsigned char)text[at - 1]) && !isspace((unsigned char)text[at]); i++) {
+        for (int i = isspace((unsigned char)text[at - 1]) && !isspace((unsigned char)text[at]) ? 0 : 5; i < 5; i++) {
             size_t behind = at + strlen(words[i]);
 
             if ((text[at] | 0x20) == *words[i] && strncasecmp(text + at, words[i], strlen(words[i])) == 0)

@@ -105,10 +105,10 @@ static bool matches(const char *pattern, const char *word)
     return !*word;
 }
 
-/* Whether a word's first letter is a pattern's. */
-static bool may_match(const char *pattern, const char *word)
+/* Whether a small letter, a word's first, is a pattern's, or that begins with a sign. */
+static bool may_match(const char *pattern, int first)
 {
-    return !isalpha((unsigned char)*pattern) || tolower((unsigned char)*word) == *pattern;
+    return *pattern == first || *pattern < 'a';
 }
 
 /* The words from the span on that a phrase has, in small letters and with one blank between; "" where it has one word. */
@@ -179,13 +179,14 @@ static void report(struct diag *diag, const char *word, struct span span, enum r
 bool refused_word(struct diag *diag, const char *word, struct span span)
 {
     char copy[LONGEST];
+    int first = tolower((unsigned char)span.source->text[span.start]);
 
     /* Phrases of several words come first: "yarn over" is no yarn. */
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
         for (int j = 0; j < WORDS && refused[i].word[j]; j++) {
             struct span phrase = span;
 
-            if (!may_match(refused[i].word[j], span.source->text + span.start))
+            if (!may_match(refused[i].word[j], first))
                 continue;
             phrase = phrase_at(refused[i].word[j], span, copy);
             if (!*copy || !phrase_matches(refused[i].word[j], copy))
@@ -197,9 +198,10 @@ bool refused_word(struct diag *diag, const char *word, struct span span)
         report(diag, word, span, COLOURS, "a colour");
         return true;
     }
+    first = tolower((unsigned char)*word);
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
         for (int j = 0; j < WORDS && refused[i].word[j]; j++) {
-            if (!may_match(refused[i].word[j], word) || !matches(refused[i].word[j], word))
+            if (!may_match(refused[i].word[j], first) || !matches(refused[i].word[j], word))
                 continue;
             report(diag, word, span, refused[i].reason, refused[i].what);
             return true;
@@ -309,7 +311,7 @@ bool refused_sentence(struct diag *diag, struct span line)
 
         for (size_t i = 0; begins && i < sizeof sentences / sizeof *sentences; i++) {
             bool clause = sentences[i].words[0] == '^';
-            size_t length = clause && !first ? 0 : sentence_length(sentences[i].words + clause, text + at);
+            size_t length = (clause && !first) || sentences[i].words[clause] != tolower((unsigned char)text[at]) ? 0 : sentence_length(sentences[i].words + clause, text + at);
             char copy[LONGEST];
 
             if (!length || length >= sizeof copy)

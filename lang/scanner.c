@@ -17,12 +17,15 @@ void scanner_advance(struct scanner *scanner, struct span *span, size_t length)
 
 bool scanner_gives_up(struct scanner *scanner, struct span span)
 {
-    size_t most = LIMIT_AGAIN * scanner->parse->source->size + LIMIT_LINE;
+    size_t size = scanner->parse->source->size, most = LIMIT_AGAIN * size, many = LIMIT_AGAIN_ALL + 4 * size;
+    bool text = scanner->texts > LIMIT_TEXTS;
 
     scanner->quiet |= diag_is_full(scanner->parse->diag, span);
-    if (scanner->again <= most || scanner->parse->diag->full)
+    if ((scanner->again <= (most < many ? most : many) + LIMIT_LINE && !text) || scanner->parse->diag->full)
         return scanner->parse->diag->full;
-    if (!scanner->quiet)
+    if (!scanner->quiet && text)
+        diag_error(scanner->parse->diag, CODE_LIMIT_ERRORS, span, "after %d lines of text this file is read no further", LIMIT_TEXTS);
+    else if (!scanner->quiet)
         diag_error(scanner->parse->diag, CODE_LIMIT_LINE, span, "too many sentences or rows stand on lines such as this one: it is read no further");
     scanner->quiet = true;
     return true;
@@ -50,6 +53,7 @@ int scanner_token(struct scanner *scanner, int kind)
 {
     scanner->comma = false;
     scanner->previous = kind;
+    scanner->texts += kind == TOKEN_PROSE;
     if (kind == TOKEN_NEWLINE || kind == TOKEN_END || (kind == '}' && !scanner->hole)) {
         scanner->star_left = scanner->star;
         scanner->star = scanner->complained = false;

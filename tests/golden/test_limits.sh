@@ -147,6 +147,8 @@ make 'for (i = 0; i < 800000; i++) print "swatch ((("'
 lean_limit E0714 'brackets left open'
 make 'for (i = 0; i < 800000; i++) print "rep from x"'
 lean_limit E0714 'lines read as text'
+make 'print "Cast on 4\nRow 1: k4"; for (i = 0; i < 800000; i++) print "= a line of a head"'
+lean_limit E0714 'lines of text that need no message'
 
 # What was meant is looked for only where it is told: these took five times as long.
 seconds=6

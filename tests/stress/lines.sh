@@ -85,6 +85,42 @@ output "x"
 then
 END
 
+# ---- lines just as long as a page may have them ----
+
+# filled FRAGMENT BYTES: so many bytes in lines of 3,900 each.
+filled() {
+    yes "$1 " | tr -d '\n' | fold -w 3900 | head -c "$2"
+}
+
+while read -r fragment; do
+    : >wrong
+    for size in 120000 990000; do      # all turns of phrase are looked for; it is more than a page has
+        { printf 'Cast on 4\nRow 1: k4\n'; filled "$fragment" $size; echo; } >page.knit
+        takes "$size bytes" check -q page.knit
+    done
+    { echo 'Cast on 4'; filled "$fragment" 120000 | awk '{ print "Row " NR ": " $0 }'; } >rows.knit
+    takes 'in rows' check -q rows.knit
+    empty "$fragment, in lines of 3,900 bytes" wrong
+done <<'END'
+*
+**
+*k2*
+:
+.
+//
+a
+cm
+rep
+work
+work in
+cast on 4
+same as
+[ ]
+**1**
+/1/1
+rep from *
+END
+
 # ---- one long word ----
 
 # long NAME CHARACTER: as a name, a number, a gap in every register of the language.
