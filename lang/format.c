@@ -143,7 +143,7 @@ static bool is_knitters(int kind)
 {
     static const int kinds[] = {TOKEN_ROW, TOKEN_ALL, TOKEN_CAST_ON, TOKEN_MULTIPLE_OF, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST,
                                 TOKEN_SETUP, TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK, TOKEN_WORK_ROWS,
-                                TOKEN_GO_ON_ROWS, TOKEN_REPEAT_THEM, TOKEN_STARTING, TOKEN_SIDE, TOKEN_NEXT_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST};
+                                TOKEN_GO_ON_ROWS, TOKEN_REPEAT_THEM, TOKEN_STARTING, TOKEN_SIDE, TOKEN_NEXT_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_BARE_ROW};
 
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (kind == kinds[i])
@@ -238,7 +238,7 @@ static bool has_own_words(const struct format *f, const struct token *first, con
                                 TOKEN_WORK_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_FABRIC,    TOKEN_TO_FIT,     TOKEN_LAST_REPEAT, TOKEN_SIZES,
                                 TOKEN_AND_ALL,   TOKEN_TOTAL,     TOKEN_FOR_TOTAL,  TOKEN_UNTIL_LENGTH, TOKEN_WORK_LENGTH, TOKEN_GO_ON_ROWS,
                                 TOKEN_STARTING,  TOKEN_REPEAT_THEM, TOKEN_THEN_ROWS, TOKEN_FOR_ROWS,   TOKEN_EDGES,
-                                TOKEN_NEXT_ROWS, TOKEN_RIDGES};
+                                TOKEN_NEXT_ROWS, TOKEN_BARE_ROW, TOKEN_RIDGES};
     const struct row *row = stmt->kind == STMT_ROW ? &stmt->row : NULL;
 
     for (const struct token *t = first; t < token(f); t++)

@@ -116,7 +116,7 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
         if (words_is_name(text, words[i]))
             return !prose_fabric_follows(text + length + strspn(text + length, " \t"));
     return scanner->comma || ((scanner->star || scanner->stops) && syntax_is_row(text)) || scanner->previous == ':' ||
-           (scanner_in_row_head(scanner) && prose_row_line(text)) || scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL ||
+           (!scanner->bare && scanner_in_row_head(scanner) && prose_row_line(text)) || scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL ||
            (scanner->previous == TOKEN_NAME && is_count(text));
 }
 

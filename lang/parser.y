@@ -150,6 +150,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token FOR_ROWS         "'for' so many rows"
 %token IN_FABRIC        "'in' or 'of'"
 %token <side> ROW       "'row'"
+%token <side> BARE_ROW  "a row's stitches"
 %token <side> ROW_WORD  "'rows'"
 %token NEXT_ROWS        "'next' so many rows"
 %token RIB              "'rib'"
@@ -414,6 +415,7 @@ row_statement:
 row_head:
   ROW row_sides                         { $$ = syntax_head(parse, $ROW, $2, NULL); }
 | ROW row_sides parts                   { $$ = syntax_head(parse, $ROW, $2, $parts.first); }
+| BARE_ROW                              { $$ = syntax_bare_head(parse, @$, $BARE_ROW); }
 | NEXT_ROWS count more ROW_WORD row_sides
                                         { $$ = syntax_head(parse, $ROW_WORD, SIDE_OPEN, NULL); $$.count = $count; $$.starting = $row_sides; }
 | ROW row_sides[side] parts SETUP_ROW row_sides[behind]
@@ -586,6 +588,7 @@ again_counted:
 
 work_statement:
   PLAIN_ROWS count more ROW_WORD        { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); }
+| PLAIN_ROWS count more ROW_WORD times  { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); syntax_rows_times(parse, @times); (void)$times; }
 | PLAIN_ROWS count more ROW_WORD SIDE   { $$ = stmt_row(parse, @$, syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD)); $$->row.starting = $SIDE; }
 | PLAIN_ROWS count more ROW_WORD IN_FABRIC FABRIC
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN)); }

@@ -50,6 +50,7 @@ bool prose_rows_are_named(const char *text);        /* "3 rows," or "3 rows:" */
 bool prose_names_needle(const char *text);          /* "needle:" */
 bool prose_tells_of_row(const char *text);          /* behind "Row": "4 looks odd at first" */
 bool prose_side_is_worked(const char *text);        /* "RS: knit all sts", not "RS = right side" */
+bool prose_is_bare_row(const char *text, bool plain);    /* `k2, p2 to end` and no more, or, `plain`, `knit` alone */
 bool prose_row_line(const char *text);              /* `*knit 5, purl 1`: a row goes on */
 bool prose_is_remark(const char *text);             /* "(set-up row):": words before a row's colon */
 bool prose_pattern_follows(const char *text);       /* a row with its name, a cast-on, a multiple */

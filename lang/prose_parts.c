@@ -49,7 +49,7 @@ bool prose_has_cast_on(const char *text)
 bool prose_repeats_rows(const char *text)
 {
     static const char *const word[] = {"for",  "these", "this",    "those", "last", "them", "all", "pattern",
-                                       "previous", "preceding", "in", "as"};
+                                       "previous", "preceding", "in", "as", "section", "sections"};
 
     text = words_skip_blanks(text);
     if (words_is(text, "from") || words_is(text, "the"))
@@ -183,6 +183,28 @@ bool prose_stitches_follow(const char *text)
         return true;
     return isdigit((unsigned char)text[1]) || !*next || strchr(".,|\r\n", *next) || words_find(next, behind, 3) >= 0 ||
            (words_behind_number(next) && !words_are_rows(words_behind_number(next)));
+}
+
+bool prose_is_bare_row(const char *text, bool plain)
+{
+    static const char *const stitch[] = {"k", "knit", "p", "purl"},
+                             *const other[] = {"to", "end", "across", "around", "all", "rep", "repeat", "from", "the", "last", "st", "sts", "stitch",
+                                               "stitches", "times", "twice", "more", "and"};
+    size_t at = strspn(text, "*([ \t");
+    bool counted = false, closed = false;
+
+    if (words_find(text + at, stitch, 4) < 0)
+        return false;
+    for (size_t n; at < WORDS_REACH && text[at] && !strchr("\r\n#", text[at]); at += n) {
+        n = words_length(text + at);
+        if (n && words_find(text + at, stitch, 4) >= 0)
+            counted |= isdigit((unsigned char)*words_skip_blanks(text + at + n)) != 0;
+        else if (n ? words_find(text + at, other, sizeof other / sizeof *other) < 0 : closed || !strchr(" \t*()[],;.0123456789", text[at]))
+            return false;
+        closed |= text[at] == '.' && !prose_line_ends(text + at);
+        n = n ? n : 1;
+    }
+    return at < WORDS_REACH && (counted || plain);
 }
 
 bool prose_row_line(const char *text)

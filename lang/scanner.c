@@ -66,6 +66,7 @@ void scanner_begin(struct scanner *scanner, int statement)
     scanner->statement = statement;
     scanner->stops = false;
     scanner->begun = true;
+    scanner->bare = statement == TOKEN_CAST_ON;
     scanner->section = false;
 }
 
@@ -88,6 +89,16 @@ bool scanner_closes_repeat(const struct scanner *scanner)
     int previous = scanner->previous;
 
     return previous == TOKEN_REP_FROM || previous == TOKEN_REP || (previous == TOKEN_STAR && !scanner->star);
+}
+
+bool scanner_bare_row(const struct scanner *scanner)
+{
+    const char *text = SCANNER_TEXT(scanner);
+    size_t at = scanner->at;
+
+    while (scanner->bare && at > 0 && strchr(" \t", scanner->parse->text[at - 1]))
+        at--;
+    return scanner->bare && at > 0 && words_ends_line(scanner->parse->text[at - 1]) && prose_is_bare_row(words_skip_blanks(text), scanner->bare > 1);
 }
 
 bool scanner_names_rows(struct scanner *scanner)

@@ -40,6 +40,7 @@ struct scanner {
     bool          complained;       /* about a character of this line */
     bool          bold;             /* `**` was opened before this head */
     bool          begun;            /* a statement came before */
+    int           bare;             /* the number of the next row, where rows without their names may stand; or 0 */
     bool          closed;           /* the stitches were cast off */
     bool          section;          /* of materials, notes or abbreviations, up to an empty line */
     bool          hole;             /* the bracket closed last was a number's */
@@ -92,6 +93,9 @@ void scanner_blank_line(struct scanner *, const char *line_ends);
 
 /* Whether what was read last is a group that can be repeated. */
 bool scanner_closes_group(const struct scanner *);
+
+/* Whether a line behind the cast-on that comes next is a row without its name, `k2, p2 to end`. */
+bool scanner_bare_row(const struct scanner *);
 
 /* Whether what comes next is the name of the rows below it, or describes a rib. */
 bool scanner_names_rows(struct scanner *);

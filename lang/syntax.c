@@ -281,6 +281,13 @@ struct row syntax_head(struct parse *parse, enum side round, enum side side, str
     return row;
 }
 
+struct row syntax_bare_head(struct parse *parse, struct span span, enum side round)
+{
+    struct expr *number = expr_number(parse, span, parse->scanner->bare - 1, 0);
+
+    return syntax_head(parse, round, SIDE_OPEN, ast_row_numbers(parse, span, number, NULL, ALL_NONE));
+}
+
 /* Whether an item is stitches with a number: `p1`, `purl 2`. */
 static bool is_counted(const struct source *source, const struct item *item)
 {
@@ -374,6 +381,13 @@ struct row syntax_plain_rows(struct parse *parse, struct span all, struct span w
     if (!count)
         row.numbers = ast_row_numbers(parse, all, NULL, NULL, ALL_EVERY);
     return row;
+}
+
+/* `Knit 1 row, purl 1 row, three times`: a sentence that is taken apart at its commas. */
+void syntax_rows_times(struct parse *parse, struct span span)
+{
+    diag_error(parse->diag, CODE_ROW_REPEAT, span, "which rows are worked so many times can be read in two ways: the last, or more of them");
+    diag_hint(parse->diag, "`Knit 1 row. Purl 1 row. Repeat the last 2 rows twice more.`");
 }
 
 struct row syntax_fabric(struct span all, struct fabric fabric, struct expr *count, enum side round, enum side starting)

@@ -51,8 +51,10 @@ struct row syntax_row(struct parse *, struct row head, struct span head_span, st
 struct item *syntax_fabric_stitches(struct parse *, struct span, struct fabric, struct expr *count, struct until);
 struct again syntax_work_again(struct row_numbers *, struct again);
 struct again syntax_again(struct row_numbers *, struct expr *last, struct again);
+void syntax_rows_times(struct parse *, struct span);
 struct again syntax_rib(struct again);
 bool syntax_onwards(const struct parse *, struct span, const struct row_numbers *);    /* `from row 3`, to the last */
+struct row syntax_bare_head(struct parse *, struct span, enum side round);
 struct again syntax_go_on(struct span, struct expr *count);
 struct again *syntax_then(struct parse *, struct span, struct row_numbers *, struct again);
 

@@ -273,6 +273,13 @@ void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span
     }
 }
 
+int scanner_section(struct scanner *scanner, struct span span)
+{
+    diag_error(scanner->parse->diag, CODE_ROW_REFERENCE, span, "which rows these parts of the pattern are is not known: rows are repeated by their numbers");
+    diag_hint(scanner->parse->diag, "`Repeat rows 1-8 once`; rows of several parts, numbered on from one to the next");
+    return scanner_token(scanner, TOKEN_PROSE);
+}
+
 int scanner_rib(struct scanner *scanner, KNIT_STYPE *value, struct span span)
 {
     struct ribs *ribs = &scanner->parse->ribs;

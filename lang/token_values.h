@@ -25,6 +25,9 @@ void scanner_side(KNIT_STYPE *, const char *text);
 void scanner_starting(KNIT_STYPE *, const char *text);
 void scanner_all(KNIT_STYPE *, const char *text);
 void scanner_following(KNIT_STYPE *, const char *text);
+/* `Repeat sections A and B`: reports it; text. */
+int scanner_section(struct scanner *, struct span);
+
 /* `rib`, of which the page may say elsewhere which it is: the token. */
 int scanner_rib(struct scanner *, KNIT_STYPE *, struct span);
 void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *text);

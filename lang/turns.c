@@ -70,6 +70,8 @@ const struct phrase turns_of_pages[] = {
     {"=# =\"|in|inch|inches|cm ,|;? and? then work|cont|continue? in", ". work in"},
     {"=# =\"|in|inch|inches|cm , and|then? then? =knit|purl|k|p|work =# =row|rows|round|rounds|rnd|rnds", "."},
     {"^ and? then work|cont|continue? in", "work in"},
+    {"knitting =# =,|and =and? =purl =#", "knit"},
+    {"purling =# =,|and =and? =knit =#", "purl"},
     {"^ and? then =# =row|rows|round|rounds|rnd|rnds =in", "work"},
     {"=work # repeats|reps of the? pattern|patt", "these rows # times"},
     {"< change|switch to pattern|pat and|, work =#", "work"},
@@ -238,6 +240,8 @@ const struct phrase turns_of_pages[] = {
 const int turns_of_pages_number = sizeof turns_of_pages / sizeof *turns_of_pages;
 
 const struct phrase turns_of_books[] = {
+    {"=knitting|knit =# =,|and =and? purling =#", "purl"},
+    {"=purling|purl =# =,|and =and? knitting =#", "knit"},
     /* plain and purl */
     {"=knit|purl|k|p|k.|p. =# plain|purl =row|rows|round|rounds|rnd|rnds|rd|rds", ""},
     {"=knit|k =# =row|rows|round|rounds|rnd|rnds|rd|rds plain", ""},
