@@ -131,12 +131,12 @@ static size_t aside_length(const char *text, size_t at)
 }
 
 /* The dots of `K2, P2 ... end K2`. */
-static size_t dots_length(const char *text, size_t at)
+static bool is_dots(const char *text, size_t at)
 {
-    size_t n = strncmp(text + at, "...", 3) == 0 || strncmp(text + at, "\xE2\x80\xA6", 3) == 0 ? 3 : 0;
-    const char *behind = words_skip_blanks(text + at + n);
+    bool dots = strncmp(text + at, "...", 3) == 0 || strncmp(text + at, "\xE2\x80\xA6", 3) == 0;
+    const char *behind = dots ? words_skip_blanks(text + at + 3) : "";
 
-    return n && (words_is(behind, "end") || words_is(behind, "ending")) && remarks_in_row(text, at) ? n : 0;
+    return (words_is(behind, "end") || words_is(behind, "ending")) && remarks_in_row(text, at);
 }
 
 /* `Same.`, `as above`, `repeat previous row` behind `Row 6:`: its bytes, and `as 5`. */
@@ -260,8 +260,11 @@ static bool row_begins(const char *text, size_t at)
 /* The dash of `k5 - border`, with its remark: up to a mark or the line's end. */
 static size_t dash_remark_length(const char *text, size_t at)
 {
-    size_t dash = text[at] == '-' ? 1 : 3, length = dash + 1 + strcspn(text + at + dash + 1, ",;:.()[]*\r\n");
+    size_t dash = text[at] == '-' ? 1 : 3, length;
 
+    if (at == 0 || text[at - 1] != ' ' || (strncmp(text + at, "- ", 2) != 0 && strncmp(text + at, "\xE2\x80\x93 ", 4) != 0 && strncmp(text + at, "\xE2\x80\x94 ", 4) != 0))
+        return 0;
+    length = dash + 1 + strcspn(text + at + dash + 1, ",;:.()[]*\r\n");
     while (at > 0 && text[at - 1] == ' ')
         at--;
     return at > 0 && isdigit((unsigned char)text[at - 1]) && remarks_are(text + at + dash + 1, length - dash - 1) ? length : 0;
@@ -435,111 +438,151 @@ static size_t ordinals_length(const char *text, size_t at, char plain[static SIG
 /* The dash of `k-3, p-2`. */
 static bool has_dash(const char *text, size_t at)
 {
-    size_t digits = strspn(text + at + 2, "0123456789");
+    size_t digits = text[at + 1] == '-' ? strspn(text + at + 2, "0123456789") : 0;
 
-    return strchr("kKpP", text[at]) && text[at + 1] == '-' && digits && !isalnum((unsigned char)text[at + 2 + digits]) && (at == 0 || text[at - 1] != '{') &&
+    return digits && !isalnum((unsigned char)text[at + 2 + digits]) && (at == 0 || text[at - 1] != '{') &&
            remarks_in_row(text, at);
 }
 
-size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
-{
-    const char *here = text + at;
-    bool begins = at == 0 || !isalnum((unsigned char)text[at - 1]);
-    size_t length;
-    int number;
+/* ---- all of them ---- */
 
-    *plain = '\0';
-    if (strchr("([", *here) && *here && remarks_caption(here, plain))
-        return remarks_caption(here, plain);
-    if (*here && strchr("<{=|([/:-~\xE2tTyYnNsS", *here) && (begins || !isalpha((unsigned char)*here)) && (length = remarks_said(text, at, plain)) > 0)
-        return length;
-    if (*here && strchr(":;<^", *here) && remarks_face(text, at))
-        return remarks_face(text, at);
-    if (*here && strchr("rRpPwW", *here) && begins && translated_stitch(text, at)) {
-        *plain = translated_stitch(text, at);
-        plain[1] = '\0';
-        return words_length(here);
-    }
-    if (*here && strchr("sSaAlLrRwWdDiI", *here) && begins && (length = previous_length(text, at, plain)) > 0)
-        return length;
-    if (*here && begins && has_dash(text, at)) {
-        *plain = *here;
-        plain[1] = '\0';
-        return 2;
-    }
-    if (*here == '(' && is_side_between(text, at))
-        return 4;
-    if (*here == '\t' && remarks_column(text, at))
-        return remarks_column(text, at);
-    if (*here == 'p' && begins && is_plain_row(text, at)) {
-        strcpy(plain, "knit");
-        return 5;
-    }
-    if (*here && strchr("([rRwW", *here) && begins && (length = side_head_length(text, at, plain)) > 0)
-        return length;
-    *plain = '\0';
-    if (*here && strchr("([", *here) && side_length(text, at, plain))
-        return side_length(text, at, plain);
-    if (*here && strchr("/<", *here) && aside_length(text, at))
-        return aside_length(text, at);
-    if (*here && strchr(".\xE2", *here) && dots_length(text, at)) {
-        strcpy(plain, "rep");
-        return 3;
-    }
-    if ((*here == ' ' || *here == ',') && is_end_of_sentence(text, at)) {
-        strcpy(plain, "\n");
-        return 1;
-    }
-    if (*here == '/' && is_before_side(text, at))
-        return 1;
-    if (*here && strchr("()oOeEuU", *here) && (begins || *here == ')') && (length = listed_length(text, at)) > 0)
-        return length;
-    if (*here == '(' && remarks_chatter(here))
-        return remarks_chatter(here);
-    if (*here == '(' && other_counts_length(text, at))
-        return other_counts_length(text, at);
-    if (*here == '(')
-        return begins ? remarks_length(text, at) : 0;
-    if (strncmp(here, "\xE2\x80\xA6", 3) == 0)
-        return at > 0 && (isalnum((unsigned char)text[at - 1]) || strchr(".,;)", text[at - 1])) ? 3 : 0;
-    if (*here == '~' && at > 0 && text[at - 1] == ' ' && here[1] == ' ') {
-        strcpy(plain, "-");
-        return 1;
-    }
-    if (*here == '[' && count_length(here) && !in_expression(text, at)) {
-        snprintf(plain, SIGNS_PLAIN, "(%d)", atoi(here + 1));
-        return count_length(here);
-    }
-    if (*here == '/' && at > 0 && (is_between_stitches(text, at) || is_between_rows(text, at))) {
-        strcpy(plain, ",");
-        return 1;
-    }
-    if (at > 0 && text[at - 1] == ' ' &&
-        (strncmp(here, "- ", 2) == 0 || strncmp(here, "\xE2\x80\x93 ", 4) == 0 || strncmp(here, "\xE2\x80\x94 ", 4) == 0))
-        return dash_remark_length(text, at);
-    if (strchr("rR", *here) && *here && begins && (length = glued_length(text, at, plain)) > 0)
-        return length;
-    if (strchr("rR", *here) && *here && is_second_row(text, at))
-        return 1;
-    if (strchr("tT", *here) && *here && begins && begins_repeat(text, at)) {
-        strcpy(plain, "*");
-        return 4;
-    }
-    if (begins && isdigit((unsigned char)*here))
-        return ordinals_length(text, at, plain);
-    if (*here == '|')
-        return is_table_bar(text, at) ? 1 : remarks_bar(text, at);
-    if (*here == ' ' && row_begins(text, at)) {
-        strcpy(plain, ";");
-        return 1;
-    }
-    if (begins && strncasecmp(here, "instead of ", 11) == 0 && strchr("kKpP", here[11]) && isdigit((unsigned char)here[12 + strspn(here + 12, " ")]))
-        return 12 + strspn(here + 12, " 0123456789");
-    if (!begins || !strchr("tfsenTFSEN", *here) || !*here)
+static size_t caption_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    return remarks_caption(text + at, plain);
+}
+
+static size_t translated_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    *plain = translated_stitch(text, at);
+    plain[1] = '\0';
+    return *plain ? words_length(text + at) : 0;
+}
+
+static size_t dashed_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    *plain = text[at];
+    plain[1] = '\0';
+    return has_dash(text, at) ? 2 : 0;
+}
+
+static size_t counted_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    size_t length = count_length(text + at);
+
+    if (!length || in_expression(text, at))
         return 0;
-    length = number_length(here, &number);
+    snprintf(plain, SIGNS_PLAIN, "(%d)", atoi(text + at + 1));
+    return length;
+}
+
+static size_t spelled_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    int number;
+    size_t length = number_length(text + at, &number);
+
     if (!length || !is_count(text, at, length))
         return 0;
     snprintf(plain, SIGNS_PLAIN, "%d", number);
     return length;
+}
+
+static size_t chatter_length(const char *text, size_t at)
+{
+    return remarks_chatter(text + at);
+}
+
+/* `instead of k2`, behind what is worked. */
+static size_t instead_length(const char *text, size_t at)
+{
+    const char *stitch = text + at + 11;
+
+    if (strncasecmp(text + at, "instead of ", 11) != 0 || !strchr("kKpP", *stitch) || !isdigit((unsigned char)stitch[1 + strspn(stitch + 1, " ")]))
+        return 0;
+    return 12 + strspn(stitch + 1, " 0123456789");
+}
+
+static bool is_ellipsis(const char *text, size_t at)
+{
+    return strncmp(text + at, "\xE2\x80\xA6", 3) == 0 && at > 0 && (isalnum((unsigned char)text[at - 1]) || strchr(".,;)", text[at - 1]));
+}
+
+static bool is_tilde(const char *text, size_t at)
+{
+    return at > 0 && text[at - 1] == ' ' && text[at + 1] == ' ';
+}
+
+static bool is_between(const char *text, size_t at)
+{
+    return at > 0 && (is_between_stitches(text, at) || is_between_rows(text, at));
+}
+
+/* Each sign or remark: what it may begin with, whether at a word's begin alone, and either what tells its bytes and its
+ * plain text, or its bytes, for blanks, or that it is one, of so many bytes for a plain text. The first that fits counts. */
+static const struct sign {
+    const char *first;
+    bool word;
+    size_t (*says)(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+    size_t (*skips)(const char *text, size_t at);
+    bool (*is)(const char *text, size_t at);
+    size_t length;
+    const char *plain;
+} signs[] = {
+    {"([", false, .says = caption_length},
+    {"tTyYnNsS", true, .says = remarks_said},
+    {"<{=|([/:-~\xE2", false, .says = remarks_said},
+    {":;<^", false, .skips = remarks_face},
+    {"rRpPwW", true, .says = translated_length},
+    {"sSaAlLrRwWdDiI", true, .says = previous_length},
+    {"kKpP", true, .says = dashed_length},
+    {"(", false, .is = is_side_between, 4, ""},
+    {"\t", false, .skips = remarks_column},
+    {"p", true, .is = is_plain_row, 5, "knit"},
+    {"([rRwW", true, .says = side_head_length},
+    {"([", false, .says = side_length},
+    {"/<", false, .skips = aside_length},
+    {".\xE2", false, .is = is_dots, 3, "rep"},
+    {" ,", false, .is = is_end_of_sentence, 1, "\n"},
+    {"/", false, .is = is_before_side, 1, ""},
+    {"(oOeEuU", true, .skips = listed_length},
+    {")", false, .skips = listed_length},
+    {"(", false, .skips = chatter_length},
+    {"(", false, .skips = other_counts_length},
+    {"(", true, .skips = remarks_length},
+    {"\xE2", false, .is = is_ellipsis, 3, ""},
+    {"~", false, .is = is_tilde, 1, "-"},
+    {"[", false, .says = counted_length},
+    {"/", false, .is = is_between, 1, ","},
+    {"-\xE2", false, .skips = dash_remark_length},
+    {"rR", true, .says = glued_length},
+    {"rR", false, .is = is_second_row, 1, ""},
+    {"tT", true, .is = begins_repeat, 4, "*"},
+    {"0123456789", true, .says = ordinals_length},
+    {"|", false, .is = is_table_bar, 1, ""},
+    {"|", false, .skips = remarks_bar},
+    {" ", false, .is = row_begins, 1, ";"},
+    {"iI", true, .skips = instead_length},
+    {"tfsenTFSEN", true, .says = spelled_length},
+};
+
+size_t signs_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    bool begins = at == 0 || !isalnum((unsigned char)text[at - 1]);
+
+    for (size_t i = 0, length; text[at] && i < sizeof signs / sizeof *signs; i++) {
+        const struct sign *sign = &signs[i];
+
+        if ((sign->word && !begins) || !strchr(sign->first, text[at]))
+            continue;
+        *plain = '\0';
+        if (sign->is)
+            length = sign->is(text, at) ? sign->length : 0;
+        else
+            length = sign->says ? sign->says(text, at, plain) : sign->skips(text, at);
+        if (length && sign->is)
+            strcpy(plain, sign->plain);
+        if (length)
+            return length;
+    }
+    *plain = '\0';
+    return 0;
 }
