@@ -83,8 +83,25 @@ static bool lower_check(struct eval *eval, struct where where, const struct row 
            eval_whole(eval, where, row->check, 0, LIMIT_STITCHES, "the number of stitches", &text->check);
 }
 
+/* `as row 7 but end k4`: as many of its last stitches are others. */
+static bool lower_end(struct eval *eval, struct where where, const struct row *row, struct row_text *text)
+{
+    if (text->as_below || text->as_opposite || text->cut || text->on_ws) {
+        diag_error(eval->diag, CODE_ROW_REFERENCE, row->body_span, "the row named here has no stitches of its own that could end otherwise");
+        return false;
+    }
+    if (!lower_items(eval, where, row->item, &text->end) || !work_measure(eval->diag, text->end, &text->end_length))
+        return false;
+    for (const struct work *work = text->end; work; work = work->next)
+        if (work->until != WORK_TIMES) {
+            diag_error(eval->diag, CODE_ROW_REPEAT, work->span, "how many stitches this end has must be given");
+            return false;
+        }
+    return true;
+}
+
 /* The text of a row given before, under another number. */
-static bool lower_as_row(struct eval *eval, const struct row *row, const struct body *body, int label,
+static bool lower_as_row(struct eval *eval, struct where where, const struct row *row, const struct body *body, int label,
                          struct row_text *text)
 {
     const struct row_text *other = rows_find(body->rows, label);
@@ -100,8 +117,10 @@ static bool lower_as_row(struct eval *eval, const struct row *row, const struct 
     text->failed = other->failed;
     text->as_below = other->as_below;
     text->as_opposite = other->as_opposite;
+    text->end = other->end;
+    text->end_length = other->end_length;
     text->check = text->check < 0 ? other->check : text->check;
-    return true;
+    return row->body != BODY_AS_ROW || !row->item || lower_end(eval, where, row, text);
 }
 
 /* ---- fabrics with a name ---- */
@@ -196,13 +215,13 @@ static bool lower_body(struct eval *eval, struct where where, const struct row *
         text->as_opposite = row->opposite;
         return true;
     case BODY_AS_ROW:
-        return lower_as_row(eval, row, body, from, text);
+        return lower_as_row(eval, where, row, body, from, text);
     case BODY_FABRIC:
         lower_fabric(eval, row, from, text);
         return true;
     case BODY_IN_PATTERN:
         text->as_below = !from;
-        return from < 0 ? pattern_is_open(eval, row, body) : !from || lower_as_row(eval, row, body, from, text);
+        return from < 0 ? pattern_is_open(eval, row, body) : !from || lower_as_row(eval, where, row, body, from, text);
     default:
         return lower_items(eval, where, row->item, &text->work) && work_measure(eval->diag, text->work, &length);
     }

@@ -238,7 +238,7 @@ static bool has_own_words(const struct format *f, const struct token *first, con
                                 TOKEN_WORK_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_FABRIC,    TOKEN_TO_FIT,     TOKEN_LAST_REPEAT, TOKEN_SIZES,
                                 TOKEN_AND_ALL,   TOKEN_TOTAL,     TOKEN_FOR_TOTAL,  TOKEN_UNTIL_LENGTH, TOKEN_WORK_LENGTH, TOKEN_GO_ON_ROWS,
                                 TOKEN_STARTING,  TOKEN_REPEAT_THEM, TOKEN_THEN_ROWS, TOKEN_FOR_ROWS,   TOKEN_EDGES,
-                                TOKEN_NEXT_ROWS, TOKEN_BARE_ROW, TOKEN_RIDGES};
+                                TOKEN_NEXT_ROWS, TOKEN_BARE_ROW, TOKEN_RIDGES, TOKEN_BUT_END};
     const struct row *row = stmt->kind == STMT_ROW ? &stmt->row : NULL;
 
     for (const struct token *t = first; t < token(f); t++)

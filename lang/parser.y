@@ -189,6 +189,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token <number> TIMES_OF "so many times"
 %token AS_ROW           "'as row'"
 %token <number> AS_NTH_ROW "'as 3rd row'"
+%token BUT_END          "'but end'"
 %token <opposite> AS_BELOW "'knit the knits and purl the purls'"
 %token DASH             "'--'"
 %token HOLE             "'{' of a number"
@@ -459,6 +460,8 @@ row_body:
                                         { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, $tail.first), .check = $check, .check_span = @check}; }
 | AS_ROW parts                          { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first}; }
 | AS_ROW parts times                    { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first, .times = $times.n}; }
+| AS_ROW parts BUT_END items            { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first, .item = $items.first}; }
+| AS_ROW parts BUT_END items check      { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first, .item = $items.first, .check = $check, .check_span = @check}; }
 | AS_NTH_ROW                            { $$ = (struct row){.body = BODY_AS_ROW, .reference = ast_row_numbers(parse, @1, expr_number(parse, @1, $1.value, 0), NULL, ALL_NONE)}; }
 | FABRIC                                { $$ = (struct row){.body = BODY_FABRIC, .fabric = $1}; }
 ;

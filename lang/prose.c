@@ -290,6 +290,15 @@ static bool is_heading(const char *text)
            (prose_statement_follows(next_line(text)) || words_find(next_line(text), rows, sizeof rows / sizeof *rows) >= 0);
 }
 
+/* `8 row scarf`, the row in the singular before a name. */
+static bool is_adjective(const char *digit)
+{
+    static const char *const one[] = {"row", "round", "stitch"};
+    const char *word = words_skip_blanks(digit + 1);
+
+    return words_find(word, one, 3) >= 0 && words_length(words_skip_blanks(word + words_length(word))) > 2;
+}
+
 /* "22 sts", "4 rows": more than a title says. */
 static bool has_count(const char *text)
 {
@@ -297,7 +306,7 @@ static bool has_count(const char *text)
     size_t n = words_line_length(text);
 
     for (size_t i = 0; i < n; i++)
-        if (isdigit((unsigned char)text[i]) && words_find(words_skip_blanks(text + i + 1), word, sizeof word / sizeof *word) >= 0)
+        if (isdigit((unsigned char)text[i]) && words_find(words_skip_blanks(text + i + 1), word, sizeof word / sizeof *word) >= 0 && !is_adjective(text + i))
             return true;
     return false;
 }
@@ -383,6 +392,8 @@ static bool is_worked(const char *text)
 
     if (words_find(text, then, 2) >= 0)
         text = words_skip_blanks(text + words_length(text));
+    if (prose_counts_fabric(text) || (words_is(text, "work") && prose_counts_fabric(words_skip_blanks(text + 4))))
+        return true;
     behind = words_skip_blanks(text + words_length(text));
     if (prose_fabric_follows(text) && prose_row_count(text))
         return true;

@@ -34,6 +34,12 @@ bool prose_stitches_follow(const char *text);       /* a row's text, of a list t
 bool prose_repeat_follows(const char *text);        /* "rep", "repeat" */
 size_t prose_names_pattern(const char *text);       /* "work panel A over 12 sts": its bytes, no more than of a name; or 0 */
 size_t prose_bracket_length(const char *text);      /* "(see below)": its bytes, where it is closed near by; or 0 */
+size_t prose_but_end(const char *text);             /* "but end with ": its bytes, or 0 */
+bool prose_footnote_follows(const char *text);      /* "see note": behind a star that repeats nothing */
+bool prose_footnote_below(const char *text);        /* a line with that and a star is below, near by */
+size_t prose_sentence_length(const char *text);     /* up to its full stop, or to the line's end */
+bool prose_counts_fabric(const char *text);         /* "4 rows of garter" */
+bool prose_number_ends(const char *text);           /* "3", before a comma, a stop or the line's end */
 bool prose_remark_follows(const char *text);        /* " Place markers at both ends.": a sentence without a row's words */
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */
 bool prose_times_follow(const char *text);          /* "3 times", "two more" */

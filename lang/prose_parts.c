@@ -243,6 +243,52 @@ static const char *behind_remark(const char *text)
     return words > 1 ? text + strspn(text, ".! \t") : NULL;
 }
 
+bool prose_footnote_follows(const char *text)
+{
+    static const char *const note[] = {"see", "note", "notes", "nb", "n.b"}, *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "to", "from", "times", "twice", "end"};
+    const char *at = words_skip_blanks(text);
+
+    if (words_find(at, note, 5) < 0)
+        return false;
+    for (; *at && !strchr("\r\n", *at); at += words_length(at) ? words_length(at) : 1)
+        if (strchr("0123456789*[]{}", *at) || words_find(at, work, sizeof work / sizeof *work) >= 0)
+            return false;
+    return true;
+}
+
+bool prose_footnote_below(const char *text)
+{
+    size_t reach = 2 * WORDS_REACH;
+
+    for (size_t i = 0; i < reach && text[i]; i++)
+        if (words_ends_line(text[i]) && text[i + 1] == '*' && (prose_footnote_follows(text + i + 2) || prose_remark_follows(text + i + 2)))
+            return true;
+    return false;
+}
+
+size_t prose_sentence_length(const char *text)
+{
+    size_t n = 0;
+
+    while (text[n] && !strchr("\r\n;{}", text[n]) && !(text[n] == '.' && (!text[n + 1] || isspace((unsigned char)text[n + 1])) && !islower((unsigned char)*words_skip_blanks(text + n + 1))))
+        n++;
+    return n;
+}
+
+bool prose_counts_fabric(const char *text)
+{
+    const char *rows = words_behind_number(text), *of = rows && words_are_rows(rows) ? words_skip_blanks(rows + words_length(rows)) : NULL;
+
+    return of && (words_is(of, "of") || words_is(of, "in")) && prose_fabric_follows(words_skip_blanks(of + 2));
+}
+
+bool prose_number_ends(const char *text)
+{
+    const char *number = words_skip_blanks(text), *behind = words_skip_blanks(number + strspn(number, "0123456789"));
+
+    return isdigit((unsigned char)*number) && (!*behind || strchr(",;.([\r\n", *behind));
+}
+
 bool prose_remark_follows(const char *text)
 {
     const char *behind = behind_remark(words_skip_blanks(text)), *next;
@@ -269,9 +315,24 @@ bool prose_times_follow(const char *text)
     return behind && (words_is(behind, "times") || words_is(behind, "time") || words_is(behind, "more"));
 }
 
+size_t prose_but_end(const char *text)
+{
+    static const char *const but[] = {"but", "except"}, *const end[] = {"end", "ending", "ends", "finish", "finishing"};
+    const char *at = text;
+
+    if (words_find(at, but, 2) < 0)
+        return 0;
+    at = words_skip_blanks(at + words_length(at));
+    if (words_find(at, end, 5) < 0)
+        return 0;
+    at = words_skip_blanks(at + words_length(at));
+    at = words_is(at, "with") ? words_skip_blanks(at + 4) : at;
+    return (size_t)(at - text);
+}
+
 bool prose_comma_is_idle(const char *text)
 {
-    return prose_times_follow(text) || *words_skip_blanks(text) == '.' || words_is(words_skip_blanks(text), "or");
+    return prose_but_end(words_skip_blanks(text)) || prose_times_follow(text) || *words_skip_blanks(text) == '.' || words_is(words_skip_blanks(text), "or");
 }
 
 bool prose_row_is_named(const char *text)

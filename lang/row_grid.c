@@ -64,6 +64,21 @@ static bool nothing_below(struct row_list *list, const struct row_text *text)
     return false;
 }
 
+/* Works the end that is another than its row's: over as many stitches. */
+static bool work_end(struct row_list *list, const struct row_text *text, int width, enum width_from from, stitch_id *worked)
+{
+    struct row_text end = *text;
+
+    if (!text->end)
+        return true;
+    end.work = text->end;
+    end.check = -1;
+    if (text->end_length <= width)
+        return row_work(list->diag, &end, (int)text->end_length, from, NULL, worked + width - text->end_length);
+    diag_error(list->diag, CODE_ROW_COUNT, text->span, "this end has %lld stitches, the row %d", text->end_length, width);
+    return false;
+}
+
 const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from,
                              const stitch_id *ws)
 {
@@ -105,7 +120,7 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             struct row_text here = *text;
 
             here.work = side == SIDE_WS && text->on_ws ? text->on_ws : text->work;
-            if (!row_work(list->diag, &here, width, from, before, worked)) {
+            if (!row_work(list->diag, &here, width, from, before, worked) || !work_end(list, text, width, from, worked)) {
                 good = false;
             } else if (i == 0 && row_draw_asks_below(worked, width)) {
                 good = nothing_below(list, text);

@@ -54,6 +54,8 @@ struct row_text {
     bool         cut;           /* `work` again and again, cut off behind its last or its first stitches */
     struct work *work;
     struct work *on_ws;         /* the work on the wrong side, where it is another; or NULL */
+    struct work *end;           /* in place of its last stitches, of a row told by another; or NULL */
+    long long    end_length;    /* so many */
     long long    check;         /* (n sts), -1: none */
     struct span  span, head, check_span;
     bool         failed;        /* an error was reported: it only takes its place */

@@ -96,6 +96,8 @@ const struct phrase turns_of_pages[] = {
     {"> on =rs|ws|right|wrong =-? =side? =rows", ""},
     {"^ =# garter =ridge|ridges", ""},
 
+    {"another =# =rows|rounds|rnds =of|in =garter|g|seed|moss|stockinette|stocking|rev|reverse|k", ""},
+
     /* other spellings */
     {"c / o =#", "co"},
     {"b / o", "bo"},
