@@ -11,6 +11,7 @@
 #include "lang/chart_lines.h"
 #include "lang/compile.h"
 #include "lang/limits.h"
+#include "lang/own_words.h"
 #include "lang/row_words.h"
 #include "lang/scanner.h"
 #include "lang/spelling.h"
@@ -212,70 +213,13 @@ static void format_verbatim(struct format *f, struct span span, int indent)
     }
 }
 
-/* Words that are read over: before and behind a cast-on (`using 4 mm needles`), in a row's head (`(decrease row)`). */
-static bool has_skipped_words(const struct format *f, const struct token *first, const struct stmt *stmt)
-{
-    const char *text = f->source->text;
-    bool row = stmt->kind == STMT_ROW;
-
-    if (first->kind == TOKEN_CAST_ON && !strchr("cC", text[first->span.start]))
-        return true;
-    for (const struct token *t = first; t < token(f); t++) {
-        bool remark = t->kind == TOKEN_SIDE && text[t->span.start] == '(' && memchr(text + t->span.start, ',', t->span.end - t->span.start);
-
-        if ((t > first && t->skipped) || remark)
-            return true;
-        if (row && t->kind == ':')
-            return false;
-    }
-    return !row && token(f)[-1].tail.source;
-}
-
-/* What pages write in words of their own keeps them. */
-static bool has_own_words(const struct format *f, const struct token *first, const struct stmt *stmt)
-{
-    static const int words[] = {TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK,
-                                TOKEN_WORK_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_FABRIC,    TOKEN_TO_FIT,     TOKEN_LAST_REPEAT, TOKEN_SIZES,
-                                TOKEN_AND_ALL,   TOKEN_TOTAL,     TOKEN_FOR_TOTAL,  TOKEN_UNTIL_LENGTH, TOKEN_WORK_LENGTH, TOKEN_GO_ON_ROWS,
-                                TOKEN_STARTING,  TOKEN_REPEAT_THEM, TOKEN_THEN_ROWS, TOKEN_FOR_ROWS,   TOKEN_EDGES,
-                                TOKEN_NEXT_ROWS, TOKEN_BARE_ROW, TOKEN_RIDGES, TOKEN_BUT_END};
-    const struct row *row = stmt->kind == STMT_ROW ? &stmt->row : NULL;
-
-    for (const struct token *t = first; t < token(f); t++)
-        for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-            if (t->kind == words[i])
-                return true;
-    for (const struct row_numbers *part = row ? row->numbers : NULL; part; part = part->next)
-        if (part->all == ALL_EVERY)
-            return true;
-    if ((row && (row->setup || (row->numbers && row->starting))) || (stmt->kind == STMT_AGAIN && (stmt->again.from || stmt->again.onwards)))
-        return true;
-    return row && row->reference && (row->times || row->reference->next || row->reference->last || row->reference->all);
-}
-
-/* The end of a statement's text: behind a bracket read over in part, and behind a word whose letters are written in more bytes. */
-static unsigned text_end(const char *text, struct span span)
-{
-    unsigned at = span.end, close = span.end + (unsigned)strcspn(text + span.end, ")]\r\n#");
-    int open = 0;
-    bool wide = false;
-
-    for (unsigned i = span.start; i < span.end; i++)
-        open += strchr("([", text[i]) ? 1 : strchr(")]", text[i]) ? -1 : 0;
-    if (open > 0 && strchr(")]", text[close]) && text[close])
-        return close + 1;
-    while (at > span.start && !strchr(" \t\r\n", text[at - 1]))
-        wide |= (unsigned char)text[--at] >= 0x80;
-    return wide ? span.end + (unsigned)strcspn(text + span.end, " \t\r\n") : span.end;
-}
-
 static void format_row(struct format *f, int indent)
 {
     const struct token *first = token(f);
     const struct stmt *stmt = *f->row++;
     bool comments = skip_row(f);
     const struct token *last = token(f) - 1;
-    bool verbatim = comments || has_own_words(f, first, stmt) || has_skipped_words(f, first, stmt);
+    bool verbatim = comments || own_words(first, token(f), stmt);
     struct span span = {f->source, first->span.start, last->tail.source && verbatim ? last->tail.end : last->span.end};
 
     while (span.start > first->label.end && strchr("*_", f->source->text[span.start - 1]))
@@ -283,7 +227,7 @@ static void format_row(struct format *f, int indent)
     while (span.start > 0 && isalnum((unsigned char)f->source->text[span.start - 1]) && isalnum((unsigned char)f->source->text[span.start]))
         span.start--;   /* `Rows3-4` */
     if (verbatim) {
-        span.end = text_end(f->source->text, span);
+        span.end = own_words_end(span);
         format_verbatim(f, span, indent);
         layout_add(f->out, ".", !comments && stop_follows(f, span.end));
     } else
