@@ -189,6 +189,31 @@ void stitches_evaluate(struct eval *eval)
         file_keys(eval, id, eval->stitch_from[id]);
 }
 
+/* Where the script gives a stitch its symbol; or NULL. */
+static const struct pair *symbol_pair(const struct eval *eval, int id)
+{
+    const struct binding *b = eval->stitch_binding[id];
+    const struct pair *pair = b ? b->stmt->stitch.pair : NULL;
+
+    while (pair && find_key(pair->key) != NUMBERS)
+        pair = pair->next;
+    return pair;
+}
+
+/* One symbol is one stitch's: charts know them by it. */
+static void shared_symbols(struct eval *eval)
+{
+    for (int id = 0; id < eval->nstitches; id++)
+        for (int other = 0; other < id; other++) {
+            const struct pair *first = symbol_pair(eval, other), *second = symbol_pair(eval, id);
+
+            if (!first || !second || strcmp(eval->stitch[id].symbol, eval->stitch[other].symbol) != 0)
+                continue;
+            diag_error(eval->diag, CODE_TWICE, second->value->span, "this is the symbol of '%s' already", eval->stitch[other].name);
+            diag_note(eval->diag, first->value->span, "here");
+        }
+}
+
 void stitches_finish(struct eval *eval)
 {
     turn_over(eval);
@@ -199,6 +224,7 @@ void stitches_finish(struct eval *eval)
             stitch->symbol = stitch->name;
         eval->ws[id] = stitch->ws;
     }
+    shared_symbols(eval);
 }
 
 /* The stitches' lines of the report. */
