@@ -242,18 +242,22 @@ int syntax_unknown_word(struct parse *parse, struct span span, const char *expec
 
 /* ---- rows ---- */
 
-/* The last number of a part of a list of rows; 0: it has none that is written. */
+/* A row's number as it is written; 0: it is not, or too large for one. */
+static int row_number(const struct expr *number)
+{
+    return number && number->kind == EXPR_NUMBER && number->number.value <= LIMIT_ROWS ? (int)number->number.value : 0;
+}
+
+/* The last number of a part of a list of rows. */
 static int last_number(const struct row_numbers *part)
 {
-    const struct expr *number = part->last ? part->last : part->first;
-
-    return number && number->kind == EXPR_NUMBER ? (int)number->number.value : 0;
+    return row_number(part->last ? part->last : part->first);
 }
 
 /* `Rows 1, 3 (RS) and 6`: the side that the first of them is on, as the mark is of the rows before it alone; or open. */
 static enum side side_of_first(const struct row_numbers *numbers)
 {
-    int first = numbers && numbers->first && numbers->first->kind == EXPR_NUMBER ? (int)numbers->first->number.value : 0;
+    int first = numbers ? row_number(numbers->first) : 0;
 
     for (const struct row_numbers *part = numbers; part && part->next && first; part = part->next)
         if (part->side && !part->next->side && last_number(part) && last_number(part->next) && (last_number(part) - last_number(part->next)) % 2)
