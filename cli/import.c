@@ -137,7 +137,8 @@ static const char *other_format(const struct source *source, const struct format
 
 static struct pattern read_pattern(struct import *import, const struct format *format)
 {
-    bool known = format->is && format->is(import->source);
+    /* Knitout with a first line that is wrong is still meant as such. */
+    bool known = (format->is && format->is(import->source)) || (format->read == read_knitout && import->source->text[0] == ';');
     const char *advice = NULL, *other = known ? NULL : other_format(import->source, format, &advice);
     if (other) {
         diag_error(&import->diag, CODE_CHART_MARK, (struct span){import->source, 0, 0}, "this is %s, not a chart", other);
