@@ -35,6 +35,22 @@ struct row_texts rows_last(struct row_list *list, int n)
     return (struct row_texts){list->order + list->norder - n, n};
 }
 
+/* How many rows behind numbered ones repeat the last of them, `Repeat this row 5 times`: they are of the pattern, too. */
+static int repeats_of_last(const struct row_list *list, int first, int n)
+{
+    int extra = 0;
+    struct row_text *const *label = list->label + first, *last = label[n - 1];
+
+    if (n < 2 || last == label[n - 2])
+        return 0;
+    while (extra < list->norder - n && list->order[list->norder - 2 - extra] == last)
+        extra++;
+    for (int i = 0; i < n; i++)
+        if (list->order[list->norder - extra - n + i] != label[i])
+            return 0;
+    return extra;
+}
+
 struct row_texts rows_pattern(struct row_list *list, bool going_on)
 {
     struct row_texts texts = {0};
@@ -45,6 +61,8 @@ struct row_texts rows_pattern(struct row_list *list, bool going_on)
     n = list->last_label - first + 1;
     if (n < 1 || !list->last_label)
         return texts;
+    if (!going_on && list->norder >= n && repeats_of_last(list, first, n))
+        return rows_last(list, n + repeats_of_last(list, first, n));
     texts = (struct row_texts){arena_array(list->arena, struct row_text *, (size_t)n), n};
     for (int i = 0; i < n; i++)
         texts.text[i] = list->label[first + (i + (going_on ? list->worked_label - first + 1 : 0)) % n];
