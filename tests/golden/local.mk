@@ -49,6 +49,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/html_file.knit \
     tests/golden/json.knit \
     tests/golden/json_file.knit \
+    tests/golden/length.knit tests/golden/length.expected \
     tests/golden/long_line.knit \
     tests/golden/many.knit \
     tests/golden/motif_frames.knit \
