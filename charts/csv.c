@@ -161,7 +161,8 @@ struct table {
     struct arena *arena;
     int          *cell;         /* (ncells) */
     size_t       *line;         /* (nlines): its first cell */
-    size_t        ncells, room, rooms;
+    size_t        ncells;
+    int           room, rooms;
     int           nlines;
     int           width, filled;        /* cells of the longest line; without empty ones at its end */
     bool          letters;      /* k or p is among them */
@@ -170,25 +171,16 @@ struct table {
     int           top, bottom, left, right;     /* the part: [top, bottom) x [left, right) */
 };
 
-static void *larger(struct arena *arena, const void *old, size_t *room, size_t size)
-{
-    void *new = arena_calloc(arena, *room ? 2 * *room : 1024, size);
-    if (*room)
-        memcpy(new, old, *room * size);
-    *room = *room ? 2 * *room : 1024;
-    return new;
-}
-
 static void add_line(struct table *t, struct span line, char separator)
 {
     struct span cell;
     size_t first = t->ncells;
-    if ((size_t)t->nlines == t->rooms)
-        t->line = larger(t->arena, t->line, &t->rooms, sizeof *t->line);
+    if (t->nlines == t->rooms)
+        t->line = arena_larger(t->arena, t->line, &t->rooms, sizeof *t->line);
     t->line[t->nlines++] = first;
     while (t->ncells < 2 * (size_t)LIMIT_STITCHES && next_cell(&line, separator, &cell)) {
-        if (t->ncells == t->room)
-            t->cell = larger(t->arena, t->cell, &t->room, sizeof *t->cell);
+        if (t->ncells == (size_t)t->room)
+            t->cell = arena_larger(t->arena, t->cell, &t->room, sizeof *t->cell);
         int what = t->cell[t->ncells++] = read_cell(cell);
         t->letters |= what == KNIT || what == PURL;
         t->knits |= what == KNIT;

@@ -6,24 +6,14 @@
 
 #include "lang/limits.h"
 
-static void make_room(struct raster *r)
-{
-    size_t room = r->room ? 2 * r->room : 1024;
-    stitch_id *larger = arena_array(r->arena, stitch_id, room);
-    if (r->ncells)
-        memcpy(larger, r->cell, r->ncells);
-    r->cell = larger;
-    r->room = room;
-}
-
 bool raster_stitch(struct raster *r, stitch_id stitch, struct span span)
 {
     if (r->ncells == LIMIT_STITCHES) {
         diag_error(r->diag, CODE_LIMIT_STITCHES, span, "a fabric may have %d stitches", LIMIT_STITCHES);
         return false;
     }
-    if (r->ncells == r->room)
-        make_room(r);
+    if (r->ncells == (size_t)r->room)
+        r->cell = arena_larger(r->arena, r->cell, &r->room, sizeof *r->cell);
     r->cell[r->ncells++] = stitch;
     if (r->width && r->here == r->width)
         r->excess = span;

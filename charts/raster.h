@@ -12,7 +12,8 @@ struct raster {
     struct arena *arena;
     struct diag  *diag;
     stitch_id    *cell;         /* (ncells), in reading order */
-    size_t        ncells, room;
+    size_t        ncells;
+    int           room;
     int           width;        /* of the first row; 0 before it */
     int           rows;         /* complete */
     int           here;         /* stitches of the row being read */

@@ -89,6 +89,17 @@ char *arena_vprintf(struct arena *arena, const char *format, va_list arguments)
     return text;
 }
 
+void *arena_larger(struct arena *arena, const void *array, int *room, size_t size)
+{
+    int more = *room ? 2 * *room : 16;
+    void *larger = arena_calloc(arena, (size_t)more, size);
+
+    if (*room)
+        memcpy(larger, array, (size_t)*room * size);
+    *room = more;
+    return larger;
+}
+
 char *arena_printf(struct arena *arena, const char *format, ...)
 {
     va_list arguments;

@@ -22,6 +22,9 @@ void *arena_calloc(struct arena *, size_t count, size_t size);
 #define arena_new(arena, type) ((type *)arena_alloc((arena), sizeof(type)))
 #define arena_array(arena, type, count) ((type *)arena_calloc((arena), (count), sizeof(type)))
 
+/* A copy of an array of `room` elements with room for more, which `room` is then. */
+void *arena_larger(struct arena *, const void *array, int *room, size_t size);
+
 /* NUL-terminated copies. */
 char *arena_copy(struct arena *, const char *text, size_t length);
 char *arena_printf(struct arena *, const char *format, ...) __attribute__((format(printf, 2, 3)));

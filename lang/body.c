@@ -24,15 +24,8 @@ static bool add_label(struct eval *eval, struct labels *labels, long long label,
                    LIMIT_WRITTEN_ROWS);
         return false;
     }
-    if (labels->n == labels->room) {
-        int *larger;
-
-        labels->room = labels->room ? 2 * labels->room : 8;
-        larger = arena_array(eval->arena, int, (size_t)labels->room);
-        if (labels->n)
-            memcpy(larger, labels->label, (size_t)labels->n * sizeof *larger);
-        labels->label = larger;
-    }
+    if (labels->n == labels->room)
+        labels->label = arena_larger(eval->arena, labels->label, &labels->room, sizeof *labels->label);
     labels->label[labels->n++] = (int)label;
     return true;
 }

@@ -144,7 +144,8 @@ static bool is_knitters(int kind)
 {
     static const int kinds[] = {TOKEN_ROW, TOKEN_ALL, TOKEN_CAST_ON, TOKEN_MULTIPLE_OF, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST,
                                 TOKEN_SETUP, TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK, TOKEN_WORK_ROWS,
-                                TOKEN_GO_ON_ROWS, TOKEN_REPEAT_THEM, TOKEN_STARTING, TOKEN_SIDE, TOKEN_NEXT_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_BARE_ROW};
+                                TOKEN_GO_ON_ROWS, TOKEN_REPEAT_THEM, TOKEN_STARTING, TOKEN_SIDE, TOKEN_NEXT_ROWS,
+                                TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_BARE_ROW};
 
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (kind == kinds[i])
@@ -525,7 +526,7 @@ static bool has_own_k(const struct stmt *stmt)
 
 /* A script, laid out. */
 struct laid_out {
-    char               *text;
+    const char         *text;
     size_t              length;
     const struct stmt **row;        /* (n) its knitters' statements and charts */
     int                 n, comments;
@@ -573,6 +574,8 @@ const char *format_script(struct arena *arena, struct diag *diag, const struct s
         return NULL;
     diag_init(&unheard, arena);
     again = lay_out(arena, &unheard, source_from_text(arena, source->name, once.text, once.length));
-    *length = is_stable(&once, &again) ? once.length : source->size;
-    return is_stable(&once, &again) ? once.text : source->text;
+    if (!is_stable(&once, &again))
+        once = (struct laid_out){.text = source->text, .length = source->size};
+    *length = once.length;
+    return once.text;
 }

@@ -74,15 +74,8 @@ static struct line *last(const struct layout *layout)
 
 void layout_line(struct layout *layout, int indent, bool gap)
 {
-    if (layout->n == layout->room) {
-        struct line *larger;
-
-        layout->room = layout->room ? 2 * layout->room : 64;
-        larger = arena_array(layout->arena, struct line, (size_t)layout->room);
-        if (layout->n)
-            memcpy(larger, layout->line, (size_t)layout->n * sizeof *larger);
-        layout->line = larger;
-    }
+    if (layout->n == layout->room)
+        layout->line = arena_larger(layout->arena, layout->line, &layout->room, sizeof *layout->line);
     layout->line[layout->n++] = (struct line){.indent = indent, .gap = gap};
 }
 

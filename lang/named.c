@@ -199,15 +199,8 @@ static const char *plain_at(const char *first, const char *at, size_t length)
 
 static void keep_mention(struct arena *arena, struct named *named, struct named_mention mention)
 {
-    if (named->nmentions == named->room) {
-        struct named_mention *larger;
-
-        named->room = named->room ? 2 * named->room : 8;
-        larger = arena_array(arena, struct named_mention, (size_t)named->room);
-        if (named->nmentions)
-            memcpy(larger, named->mention, (size_t)named->nmentions * sizeof *larger);
-        named->mention = larger;
-    }
+    if (named->nmentions == named->room)
+        named->mention = arena_larger(arena, named->mention, &named->room, sizeof *named->mention);
     named->mention[named->nmentions++] = mention;
 }
 

@@ -128,13 +128,8 @@ static void add_line(struct reader *reader, struct span line)
 {
     struct page_chart *chart = reader->chart;
 
-    if (chart->lines == reader->lines_room) {
-        struct span *larger = arena_array(reader->arena, struct span, (size_t)(reader->lines_room = 2 * reader->lines_room + 16));
-
-        if (chart->lines)
-            memcpy(larger, chart->line, (size_t)chart->lines * sizeof *larger);
-        chart->line = larger;
-    }
+    if (chart->lines == reader->lines_room)
+        chart->line = arena_larger(reader->arena, chart->line, &reader->lines_room, sizeof *chart->line);
     chart->line[chart->lines++] = line;
 }
 
@@ -142,13 +137,8 @@ static void add_row(struct reader *reader, struct page_row row)
 {
     struct page_chart *chart = reader->chart;
 
-    if (chart->rows == reader->room) {
-        struct page_row *larger = arena_array(reader->arena, struct page_row, (size_t)(reader->room = 2 * reader->room + 16));
-
-        if (chart->rows)
-            memcpy(larger, chart->row, (size_t)chart->rows * sizeof *larger);
-        chart->row = larger;
-    }
+    if (chart->rows == reader->room)
+        chart->row = arena_larger(reader->arena, chart->row, &reader->room, sizeof *chart->row);
     chart->row[chart->rows++] = row;
 }
 
@@ -220,9 +210,9 @@ static const char *number_rows(struct page_chart *chart)
         return "its rows are not numbered one by one";
     chart->first = chart->row[first].number - (long)chart->step * (chart->rows - 1 - first);
     for (int i = 0; i < chart->rows; i++)
-        if (chart->row[i].number && chart->row[i].number != chart->first + (long)chart->step * (chart->rows - 1 - i))
+        if (chart->row[i].number && chart->row[i].number != page_chart_number(chart, i))
             return "its rows are not numbered one by one";
-    return chart->first < 1 || chart->first + (long)chart->step * (chart->rows - 1) < 1 ? "its numbers begin below 1" : NULL;
+    return chart->first < 1 || page_chart_number(chart, 0) < 1 ? "its numbers begin below 1" : NULL;
 }
 
 static const char *read_cells(struct reader *reader)
@@ -284,6 +274,6 @@ const struct grid *page_chart_grid(struct arena *arena, const struct page_chart 
     struct grid *grid = grid_new(arena, chart->columns, chart->rows, &cell);
 
     for (int y = 0; y < chart->rows; y++)
-        memcpy(cell + (size_t)y * columns, chart->row[chart->step > 0 ? chart->rows - 1 - y : y].cell, columns);
+        memcpy(cell + (size_t)y * columns, chart->row[page_chart_line_of(chart, y)].cell, columns);
     return grid;
 }

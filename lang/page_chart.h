@@ -25,6 +25,17 @@ struct page_chart {
     bool                 others;    /* there is another chart behind it, which is not read */
 };
 
+/* The line, from the top, of row y of its grid, and the number that a line's row has. */
+static inline int page_chart_line_of(const struct page_chart *chart, int y)
+{
+    return chart->step > 0 ? chart->rows - 1 - y : y;
+}
+
+static inline long page_chart_number(const struct page_chart *chart, int line)
+{
+    return chart->first + (long)chart->step * (chart->rows - 1 - line);
+}
+
 /* The page's first chart of two lines at least, whose signs a key explains (`. = purl`) or which has the letters K and P
  * without blanks between; NULL: there is none. */
 struct page_chart *page_chart_find(struct arena *, const struct source *);

@@ -78,10 +78,10 @@ static const char *stitches_of(struct arena *arena, const struct grid *grid, int
 
 static bool disagree(struct diag *diag, const struct page_chart *chart, const struct match *match, int y)
 {
-    const struct page_row *line = &chart->row[chart->step > 0 ? chart->rows - 1 - y : y];
-    long number = chart->step > 0 ? chart->first + (long)chart->step * y : chart->first + (long)chart->step * (chart->rows - 1 - y);
+    int line = page_chart_line_of(chart, y);
+    long number = page_chart_number(chart, line);
 
-    diag_error(diag, CODE_MIXED_MOTIF, line->cells, "row %ld of this chart and the written row %ld are not the same", number, number);
+    diag_error(diag, CODE_MIXED_MOTIF, chart->row[line].cells, "row %ld of this chart and the written row %ld are not the same", number, number);
     if (diag_takes_notes(diag)) {
         diag_hint(diag, "from the right side the chart shows %s, the row %s", stitches_of(diag->arena, match->chart, y),
                   stitches_of(diag->arena, match->grid, match->row[y]));
@@ -100,9 +100,7 @@ bool page_chart_agrees(struct diag *diag, const struct page_chart *chart, const 
     match.chart = page_chart_grid(diag->arena, chart);
     match.row = row = arena_array(diag->arena, int, (size_t)chart->rows);
     for (int y = 0; y < chart->rows; y++) {
-        int i = chart->step > 0 ? y : chart->rows - 1 - y;
-
-        row[y] = rows_place(rows, chart->first + (long)chart->step * i);
+        row[y] = rows_place(rows, page_chart_number(chart, page_chart_line_of(chart, y)));
         told += row[y] >= 0;
     }
     if (!told)
@@ -117,7 +115,7 @@ bool page_chart_agrees(struct diag *diag, const struct page_chart *chart, const 
 
 const struct grid *page_chart_fabric(struct diag *diag, const struct page_chart *chart, struct span cast_on, long long width)
 {
-    if (chart->unread || chart->step == 2 || (chart->first != 1 && chart->first + (long)chart->step * (chart->rows - 1) != 1)) {
+    if (chart->unread || chart->step == 2 || (chart->first != 1 && page_chart_number(chart, 0) != 1)) {
         diag_error(diag, CODE_CHART, chart->row[0].line, "this chart cannot be worked: %s",
                    chart->unread ? chart->unread : chart->step == 2 ? "every second row is not on it" : "it has no row 1");
         return NULL;

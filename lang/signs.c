@@ -435,13 +435,16 @@ static size_t ordinals_length(const char *text, size_t at, char plain[static SIG
     return strlen(plain) <= here ? here : 0;
 }
 
-/* The dash of `k-3, p-2`. */
-static bool has_dash(const char *text, size_t at)
+/* The dash of `k-3, p-2`: its letter goes for both. */
+static size_t dashed_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     size_t digits = text[at + 1] == '-' ? strspn(text + at + 2, "0123456789") : 0;
 
-    return digits && !isalnum((unsigned char)text[at + 2 + digits]) && (at == 0 || text[at - 1] != '{') &&
-           remarks_in_row(text, at);
+    if (!digits || isalnum((unsigned char)text[at + 2 + digits]) || (at > 0 && text[at - 1] == '{') || !remarks_in_row(text, at))
+        return 0;
+    *plain = text[at];
+    plain[1] = '\0';
+    return 2;
 }
 
 /* ---- all of them ---- */
@@ -456,13 +459,6 @@ static size_t translated_length(const char *text, size_t at, char plain[static S
     *plain = translated_stitch(text, at);
     plain[1] = '\0';
     return *plain ? words_length(text + at) : 0;
-}
-
-static size_t dashed_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
-{
-    *plain = text[at];
-    plain[1] = '\0';
-    return has_dash(text, at) ? 2 : 0;
 }
 
 static size_t counted_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])

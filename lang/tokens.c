@@ -26,15 +26,8 @@ static void add(struct reader *reader, struct token token)
 {
     struct tokens *list = &reader->list;
 
-    if (list->n == reader->room) {
-        struct token *larger;
-
-        reader->room = reader->room ? 2 * reader->room : 256;
-        larger = arena_array(reader->arena, struct token, (size_t)reader->room);
-        if (list->n)
-            memcpy(larger, list->at, (size_t)list->n * sizeof *larger);
-        list->at = larger;
-    }
+    if (list->n == reader->room)
+        list->at = arena_larger(reader->arena, list->at, &reader->room, sizeof *list->at);
     list->at[list->n++] = token;
 }
 
