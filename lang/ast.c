@@ -437,6 +437,14 @@ struct stmt *stmt_again(struct parse *parse, struct span span, struct again agai
     return stmt;
 }
 
+struct stmt *stmt_pattern(struct parse *parse, struct span span, struct told told)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_PATTERN, span);
+
+    stmt->told = told;
+    return stmt;
+}
+
 struct stmt *stmt_for(struct parse *parse, struct span span, struct name_at name, struct range range,
                       struct stmt *body)
 {

@@ -156,6 +156,9 @@ enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGA
 /* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. */
 struct measure { int rows; bool part; };
 
+/* `these 4 rows form the pattern`: the last n; n 0: those with numbers from first to last. */
+struct told { int n, first, last; };
+
 /* Which rows, where no numbers are given. */
 enum again_which { AGAIN_NUMBERS, AGAIN_LAST, AGAIN_THEM, AGAIN_GO_ON };
 
@@ -232,6 +235,7 @@ enum stmt_kind {
     STMT_MULTIPLE,
     STMT_ROW,
     STMT_AGAIN,
+    STMT_PATTERN,       /* `these 4 rows form the pattern` */
     STMT_FOR,
     STMT_IF,
     STMT_CHART,
@@ -258,6 +262,7 @@ struct stmt {
         struct multiple multiple;
         struct row row;
         struct again again;
+        struct told told;
         struct { struct name_at name; struct range range; struct stmt *body; } loop;
         struct { struct expr *condition; struct stmt *then, *otherwise; } choice;
         struct { struct symbol *symbol; struct name_at *line; } chart;      /* lines: texts, top first */
@@ -329,6 +334,7 @@ struct stmt *stmt_sweep(struct parse *, struct span, struct axis *);
 struct stmt *stmt_multiple(struct parse *, struct multiple);
 struct stmt *stmt_row(struct parse *, struct span, struct row);
 struct stmt *stmt_again(struct parse *, struct span, struct again);
+struct stmt *stmt_pattern(struct parse *, struct span, struct told);
 struct stmt *stmt_for(struct parse *, struct span, struct name_at, struct range, struct stmt *body);
 struct stmt *stmt_if(struct parse *, struct span, struct expr *condition, struct stmt *then, struct stmt *otherwise);
 struct stmt *stmt_chart(struct parse *, struct span, struct symbol *, struct name_at *line);

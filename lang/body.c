@@ -604,6 +604,9 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
         return run_if(eval, *where, stmt, body);
     case STMT_CAST_ON:
         return run_cast_on(eval, *where, stmt, body);
+    case STMT_PATTERN:
+        rows_tell(body->rows, stmt->span, stmt->told);
+        return true;
     case STMT_PROSE:
         return true;
     case STMT_LET:

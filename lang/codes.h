@@ -99,7 +99,8 @@
     X(CODE_KNITOUT_EXTENSION, 910, "an extension of knitout that is not read")                             \
     X(CODE_LAST_REPEAT,     911, "a repeat whose last time is taken to stop short")                        \
     X(CODE_IN_PATTERN,      912, "a row worked 'in pattern', by the rows above") \
-    X(CODE_LENGTH,          913, "a length, of so many rows by the stated gauge")
+    X(CODE_LENGTH,          913, "a length, of so many rows by the stated gauge") \
+    X(CODE_ROWS_ABOVE,      914, "more rows that are said to be the pattern than are above")
 
 enum diag_code {
 #define X(name, number, about) name = number,

@@ -306,7 +306,7 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
 
     rows_describe(body.rows, body_describes(eval->main->file));
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
-        if (!makes_rows(stmt))
+        if (!makes_rows(stmt) && (stmt->kind != STMT_PATTERN || !body.first.source))
             continue;
         if (!body.first.source)
             body.first = stmt->span;

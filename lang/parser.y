@@ -69,6 +69,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     struct fabric fabric;
     struct { int of, plus; } parity;
     struct measure measure;
+    struct told told;
     struct expr *expr;
     struct exprs exprs;
     struct argument *argument;
@@ -131,6 +132,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 
 %token PROSE            "a line of text"
 %token <measure> GO_ON            "'continue in pattern'"
+%token <told> FORM_PATTERN   "'these rows form the pattern'"
 %token GO_ON_ROWS       "'continue in pattern for'"
 %token <side> STARTING  "'starting with'"
 %token REPEAT_THEM      "'repeat them'"
@@ -281,6 +283,7 @@ line:
 | statement
 | PROSE                                 { $$ = ast_stmt(parse, STMT_PROSE, @$); }
 | GO_ON                                 { $$ = syntax_goes_on(parse, @$, $GO_ON); }
+| FORM_PATTERN                          { $$ = stmt_pattern(parse, @$, $FORM_PATTERN); }
 | error                                 { $$ = NULL; }
 ;
 

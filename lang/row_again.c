@@ -15,7 +15,7 @@ static struct row_text *unnumbered(const struct row_list *list, int label)
 
 bool rows_labelled(struct row_list *list, struct span span, const int *label, int n, struct row_texts *texts)
 {
-    *texts = (struct row_texts){arena_array(list->arena, struct row_text *, (size_t)n), n};
+    *texts = (struct row_texts){.text = arena_array(list->arena, struct row_text *, (size_t)n), .n = n};
     rows_work(list);
     for (int i = 0; i < n; i++) {
         texts->text[i] = label[i] > 0 && label[i] < list->label_room ? list->label[label[i]] : NULL;
@@ -32,41 +32,64 @@ bool rows_labelled(struct row_list *list, struct span span, const int *label, in
 struct row_texts rows_last(struct row_list *list, int n)
 {
     rows_work(list);
-    return (struct row_texts){list->order + list->norder - n, n};
+    return (struct row_texts){.text = list->order + list->norder - n, .n = n};
 }
 
-/* How many rows behind numbered ones repeat the last of them, `Repeat this row 5 times`: they are of the pattern, too. */
-static int repeats_of_last(const struct row_list *list, int first, int n)
+/* Those said to be the pattern where they are others than the numbered ones of this part, from first on. */
+static bool told_otherwise(const struct row_list *list, int first, int n)
 {
-    int extra = 0;
-    struct row_text *const *label = list->label + first, *last = label[n - 1];
+    const struct told_rows *told = &list->told;
 
-    if (n < 2 || last == label[n - 2])
-        return 0;
-    while (extra < list->norder - n && list->order[list->norder - 2 - extra] == last)
-        extra++;
-    for (int i = 0; i < n; i++)
-        if (list->order[list->norder - extra - n + i] != label[i])
-            return 0;
-    return extra;
+    return told->n && !(told->n == n && memcmp(told->row, list->label + first, (size_t)n * sizeof *told->row) == 0);
 }
 
 struct row_texts rows_pattern(struct row_list *list, bool going_on)
 {
+    const struct told_rows *told = &list->told;
     struct row_texts texts = {0};
-    int first, n;
+    struct row_text *const *row;
+    int first, next;
 
     rows_work(list);
     first = list->first_label;
-    n = list->last_label - first + 1;
-    if (n < 1 || !list->last_label)
-        return texts;
-    if (!going_on && list->norder >= n && repeats_of_last(list, first, n))
-        return rows_last(list, n + repeats_of_last(list, first, n));
-    texts = (struct row_texts){arena_array(list->arena, struct row_text *, (size_t)n), n};
-    for (int i = 0; i < n; i++)
-        texts.text[i] = list->label[first + (i + (going_on ? list->worked_label - first + 1 : 0)) % n];
+    row = list->label + first;
+    texts.n = list->last_label ? list->last_label - first + 1 : 0;
+    next = list->worked_label - first + 1;
+    if (told_otherwise(list, first, texts.n)) {
+        row = told->row;
+        texts.n = told->n;
+        next = told->next;
+        texts.told = going_on ? 1 + next : 1;
+    }
+    texts.text = arena_array(list->arena, struct row_text *, (size_t)texts.n + 1);
+    for (int i = 0; i < texts.n; i++)
+        texts.text[i] = row[(i + (going_on ? next : 0)) % texts.n];
     return texts;
+}
+
+void rows_tell(struct row_list *list, struct span span, struct told told)
+{
+    int above;
+
+    if (list->filler)
+        rows_work(list);
+    above = list->norder + list->npending;
+    if (above && told.n > above + (list->npending > 0)) {   /* `all WS rows` may give one more */
+        diag_warning(list->diag, CODE_ROWS_ABOVE, span, "%d rows are said to be the pattern, but %d %s above", told.n, above,
+                     above == 1 ? "is" : "are");
+        diag_hint(list->diag, "a row may be missing above, or be read as text");
+    }
+    if (told.n > above)
+        return;
+
+    /* Rows between may be told below: `all WS rows: purl`. */
+    if (list->ngiven < list->npending)
+        return;
+    rows_work(list);
+    if (told.n)
+        list->told = (struct told_rows){list->order + list->norder - told.n, told.n, 0};
+    else if (told.first >= list->first_label && told.last <= list->last_label)
+        list->told = (struct told_rows){list->label + told.first, told.last - told.first + 1, 0};
 }
 
 void row_list_keep_part(struct row_list *list)
@@ -101,6 +124,7 @@ bool rows_choose(struct row_list *list, struct span span, unsigned first)
 
     rows_work(list);
     list->to_choose = false;
+    list->told.n = 0;
     if (begins_at(list->label, list->label_room, first))
         return true;
     part = take_part(list, first);
@@ -133,7 +157,9 @@ bool rows_to_choose(const struct row_list *list)
 void rows_define(struct row_list *list)
 {
     rows_work(list);
-    list->norder = 0;
+    list->order = NULL;
+    list->norder = list->room = 0;
+    list->told.next = 0;
     list->start = SIDE_OPEN;
     list->worked_label = 0;
     list->loose = true;
@@ -224,7 +250,7 @@ static void remember_label(struct row_list *list)
 
 void rows_again(struct row_list *list, struct span span, struct row_texts texts, long long times, long long total)
 {
-    int n = texts.n;
+    int n = texts.n, before;
     struct row_text **text = arena_array(list->arena, struct row_text *, (size_t)n + 1);
 
     rows_work(list);
@@ -241,6 +267,7 @@ void rows_again(struct row_list *list, struct span span, struct row_texts texts,
     /* The order grows, and `texts` may lie in it. */
     memcpy(text, texts.text, (size_t)n * sizeof *text);
     row_list_begin_on_side_of(list, text[0]);
+    before = list->norder;
     for (long long pass = 0; times ? pass < times : list->norder < total; pass++)
         for (int i = 0; i < n && (times || list->norder < total); i++) {
             row_list_check_side(list, text[i], list->norder, n);
@@ -248,4 +275,6 @@ void rows_again(struct row_list *list, struct span span, struct row_texts texts,
                 return;
         }
     remember_label(list);
+    if (texts.told)
+        list->told.next = (texts.told - 1 + list->norder - before) % list->told.n;
 }

@@ -20,6 +20,12 @@ struct part {
     struct part *next;
 };
 
+/* The rows said to be the pattern; n 0: the numbered ones are. */
+struct told_rows {
+    struct row_text **row;
+    int n, next;    /* next: the place of the one to go on with */
+};
+
 struct row_list {
     struct arena *arena;
     struct diag *diag;
@@ -30,7 +36,7 @@ struct row_list {
 
     /* The numbered rows not yet worked: labels first .. first + npending - 1. */
     struct row_text **pending;
-    int first, npending, pending_room;
+    int first, npending, pending_room, ngiven;  /* ngiven: without gaps between */
 
     /* All numbered rows, by label, for `as row 3` and repeats. */
     struct row_text **label;
@@ -43,6 +49,7 @@ struct row_list {
     int worked_label;               /* of the numbered row worked last */
     bool loose;                     /* what came last had no number, or was a repeat */
     enum side start; /* the side of the first row worked; open until known */
+    struct told_rows told;
     struct part *part;              /* those before the one above */
     bool describes;                 /* each part is a pattern of its own, not worked yet, */
     bool to_choose;                 /* of which none was chosen */

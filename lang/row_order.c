@@ -135,7 +135,7 @@ void rows_work(struct row_list *list)
     for (int i = 0; i < list->npending; i++)
         list->pending[i] = NULL;
     list->first = list->last_label + 1;
-    list->npending = 0;
+    list->npending = list->ngiven = 0;
     list->fresh = false;
 }
 

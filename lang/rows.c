@@ -86,9 +86,8 @@ static bool stand_apart(struct span before, struct span head)
 /* Row 1 again is where a second part begins; right behind a single row 1 it is a slip. */
 static void begin_again(struct row_list *list, const struct row_text *text)
 {
-    for (int i = 0; i < list->npending; i++)
-        if (!list->pending[i] && !list->filler)
-            return;
+    if (list->ngiven < list->npending && !list->filler)
+        return;
     if (!list->loose && rows_last_number(list) < 2 && !stand_apart(rows_find(list, 1)->span, text->head))
         return;
     if (!list->loose && !list->describes) {
@@ -167,6 +166,8 @@ static void add_at(struct row_list *list, struct row_text *text, int label)
     }
     list->pending = row_list_grown(list, list->pending, &list->pending_room, at + 1);
     list->pending[at] = text;
+    list->ngiven++;
+    list->told.n = 0;
     if (at >= list->npending)
         list->npending = at + 1;
     list->label = row_list_grown(list, list->label, &list->label_room, label + 1);

@@ -101,7 +101,7 @@ const struct row_text *rows_find(const struct row_list *, int label);
 /* Rows to be worked again. */
 struct row_texts {
     struct row_text **text;
-    int               n;
+    int               n, told;  /* those said to be the pattern: 1 + the place of the first among them; else 0 */
 };
 
 /* Those with the labels given (false, with a message, where one is missing); the
@@ -110,6 +110,9 @@ struct row_texts {
 bool rows_labelled(struct row_list *, struct span, const int *label, int n, struct row_texts *);
 struct row_texts rows_last(struct row_list *, int n);
 struct row_texts rows_pattern(struct row_list *, bool going_on);
+
+/* `These 4 rows form the pattern`: they are what `rows_pattern` gives, until rows with numbers follow. */
+void rows_tell(struct row_list *, struct span, struct told);
 
 /* The number of the last row given. */
 int rows_last_number(const struct row_list *);

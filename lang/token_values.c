@@ -343,3 +343,37 @@ void scanner_measure(struct scanner *scanner, KNIT_STYPE *value, struct span spa
                  value->measure.rows == 1 ? "" : "s");
     diag_hint(scanner->parse->diag, "whole repeats are worked until it is reached; `until piece has %d rows` says it", value->measure.rows);
 }
+
+/* The bytes of the word or the number that a text begins with, or of one mark. */
+static size_t piece_length(const char *text)
+{
+    size_t n = words_length(text);
+
+    n = n ? n : strspn(text, "0123456789");
+    return n ? n : 1;
+}
+
+bool scanner_told(KNIT_STYPE *value, const char *sentence)
+{
+    static const char *const between[] = {"to", "and", "through"}, *const pattern[] = {"pat", "patt", "pattern", "rep", "repeat", "motif", "design"};
+    struct told told = {0};
+    bool rows = false, verb = false;
+
+    for (const char *at = sentence; *at; at += piece_length(at)) {
+        int n = words_number(at);
+
+        if (verb && words_find(at, pattern, sizeof pattern / sizeof *pattern) >= 0) {
+            value->told = told;
+            return told.n || told.first;
+        }
+        if (!rows && words_are_rows(at) && !told.n)
+            told.n = tolower((unsigned char)at[words_length(at) - 1]) != 's';
+        if (n && !rows)
+            told.n = n;
+        else if (n && !verb)
+            told = (struct told){0, told.first ? told.first : n, n};
+        verb |= rows && words_length(at) && !n && words_find(at, between, 3) < 0;
+        rows |= words_are_rows(at);
+    }
+    return false;
+}

@@ -2,6 +2,10 @@
  * A place of a text in; what the words there count or say how many, out. */
 #include "lang/words.h"
 
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+
 bool words_are_rows(const char *text)
 {
     static const char *const word[] = {"row", "rows", "round", "rounds", "rnd", "rnds", "rd", "rds"};
@@ -16,15 +20,27 @@ bool words_are_stitches(const char *text)
     return words_find(text, word, sizeof word / sizeof *word) >= 0;
 }
 
-const char *words_behind_number(const char *text)
+/* A number in letters; 0: none. */
+static int number_in_letters(const char *text)
 {
     static const char *const word[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
+
+    return 1 + words_find(text, word, sizeof word / sizeof *word);
+}
+
+int words_number(const char *text)
+{
+    return isdigit((unsigned char)*text) ? (int)fmin(strtod(text, NULL), INT_MAX) : number_in_letters(text);
+}
+
+const char *words_behind_number(const char *text)
+{
     static const char *const ordinal[] = {"st", "nd", "rd", "th"};
     size_t digits = strspn(text, "0123456789");
 
     if (digits)
         return words_find(text + digits, ordinal, 4) < 0 ? words_skip_blanks(text + digits) : NULL;
-    return words_find(text, word, sizeof word / sizeof *word) >= 0 ? words_skip_blanks(text + words_length(text)) : NULL;
+    return number_in_letters(text) ? words_skip_blanks(text + words_length(text)) : NULL;
 }
 
 bool words_line_is_long(struct words_line *line, const char *text, size_t at)

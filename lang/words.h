@@ -161,6 +161,9 @@ bool words_are_stitches(const char *text);
 /* Behind a text in quotes that begins at a place; inches are none. */
 size_t words_skip_quoted(const char *text, size_t at);
 
+/* A number in figures or, up to twelve, in letters; 0: there is none. */
+int words_number(const char *text);
+
 /* Behind a number in figures or in letters; or NULL. */
 const char *words_behind_number(const char *text);
 

@@ -66,6 +66,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/prose.knit \
     tests/golden/prose_width.knit \
     tests/golden/in_pattern.knit \
+    tests/golden/rows_above.knit \
     tests/golden/repeat_no_count.knit \
     tests/golden/last_repeat.knit \
     tests/golden/refused.knit \
@@ -117,6 +118,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/prose.expected \
     tests/golden/prose_width.expected \
     tests/golden/in_pattern.expected \
+    tests/golden/rows_above.expected \
     tests/golden/repeat_no_count.expected \
     tests/golden/last_repeat.expected \
     tests/golden/refused.expected \
