@@ -54,7 +54,7 @@ struct row_texts rows_pattern(struct row_list *list, bool going_on)
     first = list->first_label;
     row = list->label + first;
     texts.n = list->last_label ? list->last_label - first + 1 : 0;
-    next = list->worked_label - first + 1;
+    next = list->worked_label < first ? 0 : list->worked_label - first + 1;
     if (told_otherwise(list, first, texts.n)) {
         row = told->row;
         texts.n = told->n;
