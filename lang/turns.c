@@ -98,6 +98,8 @@ const struct phrase turns_of_pages[] = {
     {"> on =rs|ws|right|wrong =-? =side? =rows", ""},
     {"^ =# garter =ridge|ridges", ""},
 
+    {"=work|knit|purl|k|p an|a? further|another|additional|extra =# =rows|rounds|rnds", ""},
+    {"until|till # rows|rounds|rnds worked|done|completed|knitted|made", "until # rows"},
     {"another =# =rows|rounds|rnds =of|in =garter|g|seed|moss|stockinette|stocking|rev|reverse|k", ""},
 
     /* other spellings */
