@@ -31,6 +31,9 @@ bool prose_repeats_rows(const char *text);          /* behind `repeat`: rows, no
 bool prose_fabric_follows(const char *text);        /* "garter st", "k2, p2 rib" */
 bool prose_has_cast_on(const char *text);           /* "20 sts": so many stitches come next */
 bool prose_stitches_follow(const char *text);       /* a row's text, of a list that numbers its rows */
+bool prose_sentence_begins(const char *text);       /* "repeat rows 1-4", "then purl 3 rows", "bind off": of a line's several */
+bool prose_is_head(const char *text);               /* "work in pattern thus:" */
+bool prose_is_side_mistyped(const char *text);      /* "(SR)" */
 bool prose_repeat_follows(const char *text);        /* "rep", "repeat" */
 size_t prose_names_pattern(const char *text);       /* "work panel A over 12 sts": its bytes, no more than of a name; or 0 */
 size_t prose_bracket_length(const char *text);      /* "(see below)": its bytes, where it is closed near by; or 0 */

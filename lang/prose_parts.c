@@ -4,6 +4,7 @@
 
 #include "lang/lengths.h"
 #include "lang/limits.h"
+#include "lang/repeats.h"
 #include "lang/syntax.h"
 #include "lang/words.h"
 
@@ -214,6 +215,61 @@ bool prose_row_line(const char *text)
 
     return words_find(first, stitch, 4) >= 0 && isdigit((unsigned char)*number) && !words_are_rows(words_skip_blanks(number + strspn(number, "0123456789"))) &&
            !words_line_has(text, "rib") && !words_line_has(text, "ribbing") && !words_line_has(text, "rows") && !words_line_has(text, "more");
+}
+
+/* `repeat rows 1-4`, `bind off`, `purl 3 rows`, `work in rib`. */
+static bool part_begins(const char *text)
+{
+    static const char *const again[] = {"the", "these", "this", "those", "them", "last", "for", "all"}, *const even[] = {"even", "straight"},
+                             *const work[] = {"knit", "purl", "k", "p", "work"};
+    const char *next = words_next(text), *rows = next;
+
+    if (words_is(text, "rep") || words_is(text, "repeat"))
+        return isdigit((unsigned char)*next) || repeats_rows_length(next) || words_find(next, again, sizeof again / sizeof *again) >= 0;
+    if (words_is(text, "bind") || words_is(text, "cast"))
+        return words_is(next, "off") && !isdigit((unsigned char)*words_next(next)) && *words_next(next) != '{';
+    if (words_find(text, work, 5) < 0)
+        return false;
+    while (isalnum((unsigned char)*rows))
+        rows++;
+    rows = words_skip_blanks(rows);
+    if (words_are_rows(words_is(rows, "more") ? words_next(rows) : rows))
+        return true;
+    while (words_find(next, even, 2) >= 0)
+        next = words_next(next);
+    return words_is(text, "work") && words_is(next, "in");
+}
+
+bool prose_sentence_begins(const char *text)
+{
+    static const char *const then[] = {"then", "and", "now"}, *const first[] = {"cont", "continue", "weave", "fasten", "cut", "break", "these", "this"},
+                             *const begin[] = {"beg", "begin", "beginning", "start", "starting", "commencing"}, *const ordinal[] = {"st", "nd", "rd", "th"};
+    const char *next = words_next(text), *side = words_is(words_next(next), "a") || words_is(words_next(next), "an") ? words_next(words_next(next)) : words_next(next);
+    size_t digits = strspn(text, "0123456789");
+
+    if (part_begins(words_find(text, then, 3) >= 0 ? next : text))
+        return true;
+    if (words_find(text, first, sizeof first / sizeof *first) >= 0 || strncasecmp(text, "bo", 2) == 0)
+        return true;
+    if (words_find(text, begin, sizeof begin / sizeof *begin) >= 0)
+        return (words_is(next, "with") || words_is(next, "on")) && strchr("kprwKPRW", *side) && *side;
+    if (digits)
+        return words_find(text + digits, ordinal, 4) >= 0 && words_are_rows(words_next(text + digits));
+    if (words_is(text, "the") && words_is(next, "last"))
+        return words_behind_number(words_next(next)) && words_are_rows(words_behind_number(words_next(next)));
+    return (words_is(text, "next") && words_are_rows(next)) || (words_is(text, "cast") && words_is(next, "on"));
+}
+
+bool prose_is_head(const char *text)
+{
+    const char *colon = strchr(text, ':');
+
+    return colon && prose_line_ends(colon + 1);
+}
+
+bool prose_is_side_mistyped(const char *text)
+{
+    return *text == '(' && strspn(text + 1, "rRwWsS") == 2 && text[3] == ')';
 }
 
 bool prose_repeat_follows(const char *text)

@@ -5,8 +5,10 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/page_chart.h"
 #include "lang/prose.h"
 #include "lang/syntax.h"
+#include "lang/token_values.h"
 #include "lang/words.h"
 
 void scanner_advance(struct scanner *scanner, struct span *span, size_t length)
@@ -101,18 +103,60 @@ bool scanner_bare_row(const struct scanner *scanner)
     return scanner->bare && at > 0 && words_ends_line(scanner->parse->text[at - 1]) && prose_is_bare_row(words_skip_blanks(text), scanner->bare > 1);
 }
 
-bool scanner_names_rows(struct scanner *scanner)
+int scanner_begin_bare(struct scanner *scanner, KNIT_STYPE *value, struct span *span)
+{
+    int number = scanner->bare;
+
+    scanner_advance(scanner, span, 0);
+    scanner_begin(scanner, TOKEN_ROW);
+    scanner_round(value, scanner->parse->joined ? "rnd" : "row");
+    scanner->bare = number + 1;
+    return scanner_token(scanner, TOKEN_BARE_ROW);
+}
+
+bool scanner_is_text(struct scanner *scanner)
 {
     struct parse *parse = scanner->parse;
     size_t at = (size_t)(words_skip_blanks(SCANNER_TEXT(scanner)) - parse->text);
 
-    return named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at);
+    return page_chart_line(parse->chart, scanner->at).source || named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at);
 }
 
 bool scanner_in_row_head(const struct scanner *scanner)
 {
     return scanner->statement == TOKEN_ROW || scanner->statement == TOKEN_ALL || scanner->statement == TOKEN_SETUP ||
            scanner->statement == TOKEN_AS_ROW;
+}
+
+bool scanner_takes_colon(const struct scanner *scanner)
+{
+    return scanner->statement == TOKEN_ROW || scanner->statement == TOKEN_ALL || scanner->statement == TOKEN_SETUP;
+}
+
+/* Behind the first statement such a sentence begins with its needles: `With 4 mm needles cast on ..`. */
+size_t scanner_cast_on(const struct scanner *scanner, const char *text, size_t length)
+{
+    bool first = !scanner->begun || words_is(text, "with") || words_is(text, "using");
+    size_t cast_on = prose_begins_cast_on(text);
+
+    return cast_on ? cast_on : first && prose_has_cast_on(SCANNER_TEXT(scanner)) ? length : 0;
+}
+
+bool scanner_stops(const struct scanner *scanner, char mark)
+{
+    const char *text = SCANNER_TEXT(scanner), *next = words_skip_blanks(text), *number = words_next(next);
+    bool alone = !scanner->star && !scanner_in_bracket(scanner);
+
+    if (words_are_rows(next) && (isdigit((unsigned char)*number) || *number == '{'))
+        return true;
+    if (mark != ',' && next > text && prose_sentence_begins(next))
+        return true;
+    return mark == '.' && (prose_is_aside(text) || (alone && prose_remark_follows(text)));
+}
+
+bool scanner_behind_multiple(const struct scanner *scanner)
+{
+    return scanner->previous == TOKEN_NUMBER_OF || (scanner->previous == TOKEN_STS && prose_of_multiple(scanner));
 }
 
 bool scanner_begins_item(const struct scanner *scanner)

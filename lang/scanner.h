@@ -79,6 +79,8 @@ void scanner_looks_on(struct scanner *);
 int scanner_token(struct scanner *, int kind);
 int scanner_bad_unit(struct scanner *, struct span, const char *text);
 int scanner_fraction(struct scanner *, struct span, const char *text);
+bool scanner_is_lettered(const struct scanner *, const char *word);
+bool scanner_is_scanned(const struct scanner *, const char *word);
 int scanner_lettered(struct scanner *, struct span); /* the letter of "Row 1a" */
 int scanner_scanned(struct scanner *, struct span);  /* of "Row l", "CO 2O sts" */
 int scanner_needle(struct scanner *, struct span); /* "1st needle: k2" */
@@ -97,11 +99,24 @@ bool scanner_closes_group(const struct scanner *);
 /* Whether a line behind the cast-on that comes next is a row without its name, `k2, p2 to end`. */
 bool scanner_bare_row(const struct scanner *);
 
-/* Whether what comes next is the name of the rows below it, or describes a rib. */
-bool scanner_names_rows(struct scanner *);
+/* The head of such a row: of no bytes, a token. */
+int scanner_begin_bare(struct scanner *, KNIT_STYPE *, struct span *);
 
-/* Whether the statement is a row. */
+/* Whether what comes next is a line of the page's chart, the name of the rows below it, or describes a rib. */
+bool scanner_is_text(struct scanner *);
+
+/* Whether the statement is a row; whether a row's text may begin without a colon. */
 bool scanner_in_row_head(const struct scanner *);
+bool scanner_takes_colon(const struct scanner *);
+
+/* How much of `text`, `With .. cast on`, is read as `cast on`; 0: it is no such sentence. */
+size_t scanner_cast_on(const struct scanner *, const char *text, size_t length);
+
+/* Whether a row's text ends with its mark . ; or , that was read last: another sentence follows. */
+bool scanner_stops(const struct scanner *, char mark);
+
+/* Whether a bracket here holds examples of a multiple. */
+bool scanner_behind_multiple(const struct scanner *);
 
 /* Whether a comma, a bracket or a star that opens stands before. */
 bool scanner_begins_item(const struct scanner *);

@@ -158,13 +158,16 @@ bool scanner_remark(KNIT_STYPE *value, const char *text)
 bool scanner_counts_again(const struct scanner *scanner, size_t length)
 {
     const char *text = scanner->parse->text, *again = text + scanner->at - length;
-    size_t at = scanner->at - length;
+    size_t at = scanner->at - length, first = strcspn(again, "0123456789"), last = length;
 
     while (at > 0 && !isdigit((unsigned char)text[at - 1]) && !words_ends_line(text[at - 1]))
         at--;
     while (at > 0 && isdigit((unsigned char)text[at - 1]))
         at--;
-    return isdigit((unsigned char)text[at]) && strtol(text + at, NULL, 10) == strtol(again + strcspn(again, "0123456789"), NULL, 10);
+    while (!isdigit((unsigned char)again[last - 1]))
+        last--;
+    return isdigit((unsigned char)text[at]) && strspn(again + first, "0123456789") == last - first &&
+           strtol(text + at, NULL, 10) == strtol(again + first, NULL, 10);
 }
 
 int scanner_edge(struct scanner *scanner, KNIT_STYPE *value, const char *text)

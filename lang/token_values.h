@@ -41,7 +41,7 @@ bool scanner_told(KNIT_STYPE *, const char *sentence);
 /* Sets it where a side is among the words. */
 bool scanner_remark(KNIT_STYPE *, const char *text);
 
-/* Whether so many bytes read last, `(28)`, have the number that stands before them. */
+/* Whether so many bytes read last, `(28)`, have the number that stands before them, and no other. */
 bool scanner_counts_again(const struct scanner *, size_t length);
 
 #endif

@@ -25,6 +25,16 @@ int scanner_fraction(struct scanner *scanner, struct span span, const char *text
     return TOKEN_KNIT_error;
 }
 
+bool scanner_is_lettered(const struct scanner *scanner, const char *word)
+{
+    return scanner->statement == TOKEN_ROW && scanner->previous == TOKEN_NUMBER && isalpha((unsigned char)*word) && !word[1] && *SCANNER_TEXT(scanner) == ':';
+}
+
+bool scanner_is_scanned(const struct scanner *scanner, const char *word)
+{
+    return scanner->statement == TOKEN_ROW && scanner->previous == TOKEN_ROW && strchr("lIO", *word) && !word[1];
+}
+
 int scanner_lettered(struct scanner *scanner, struct span span)
 {
     diag_error(scanner->parse->diag, CODE_ROW_NUMBER, span, "a row's number has no letter");

@@ -24,6 +24,12 @@ static inline const char *words_skip_blanks(const char *text)
     return text + strspn(text, " \t\f\v");
 }
 
+/* Behind the first word and its blanks. */
+static inline const char *words_next(const char *text)
+{
+    return words_skip_blanks(text + words_length(text));
+}
+
 /* Bytes of a stitch with its figure, `k2`, that a text begins with; 0: it begins otherwise. */
 static inline size_t words_stitch_length(const char *text)
 {

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A place of a text in, what `repeat` asks for there out: rows, a part of one, or a sentence of text. */
+#ifndef WEFT_REPEATS_H
+#define WEFT_REPEATS_H
+
+#include <stddef.h>
+
+/* The token that a statement's `repeat`, which the text begins with, is, and its length in bytes: TOKEN_REPEAT_ROWS, _LAST,
+ * _THEM, or TOKEN_PROSE of sections; 0: it begins a text. */
+int repeats_kind(const char *text, size_t *length);
+
+/* `rows`, or the `r` of `r4`, that a text begins with: its bytes, or 0. */
+size_t repeats_rows_length(const char *text);
+
+#endif
