@@ -10,6 +10,7 @@
 #include "lang/limits.h"
 #include "lang/marks.h"
 #include "lang/page_chart.h"
+#include "lang/prose.h"
 #include "lang/scanner.h"
 #include "lang/wording.h"
 #include "lang/words.h"
@@ -286,6 +287,7 @@ struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *na
         return NULL;
     parse.chart = page_chart_find(arena, source);
     parse.text = source_read_as(arena, source, parse.chart, &parse.named);
+    parse.page = prose_is_page(source->text, source->size);
     parse.joined = wording_is_joined(source->text);
     parse.scanner = &scanner;
     scanner_parse(&scanner);

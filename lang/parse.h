@@ -22,6 +22,7 @@ struct parse {
     const struct page_chart *chart;     /* a page's, whose lines are text; or NULL */
     struct named         named;         /* patterns it calls by a name, */
     struct ribs          ribs;          /* and ribs */
+    bool                 page;          /* of a knitter's words alone */
     bool                 joined;        /* in the round: what is called a row is one */
     struct words_line    line;          /* of the source that an error was in last */
     struct span          knitted;       /* a part of it without a word that cannot be knitted */

@@ -38,6 +38,16 @@ static bool line_has(const char *text, const char *characters)
     return false;
 }
 
+static int count_words(const char *text)
+{
+    size_t n = words_line_length(text);
+    int words = 0;
+
+    for (size_t i = 0; i < n; i++)
+        words += isalnum((unsigned char)text[i]) && (i == 0 || isspace((unsigned char)text[i - 1]));
+    return words;
+}
+
 /* ---- a statement's word that begins a sentence ---- */
 
 static bool opens_block(const char *text)
@@ -45,8 +55,10 @@ static bool opens_block(const char *text)
     return line_has(text, "{") || *next_line(text) == '{';
 }
 
+/* `knit (K), purl (P)` */
 static bool no_version(const char *text)
 {
+    text += *text == '(';
     return !isdigit((unsigned char)*text) && !strchr("-.(", *text);
 }
 
@@ -95,6 +107,12 @@ static bool is_labelled(const char *text)
     return *text == ':';
 }
 
+/* `swatch: ..`, `swatch we are going to knit` */
+static bool no_fabric(const char *text)
+{
+    return is_labelled(text) || (count_words(text) > 2 && !line_has(text, "()[]=*?|&<>+-/"));
+}
+
 bool prose_is_keyword(const char *text)
 {
     static const struct {
@@ -102,7 +120,7 @@ bool prose_is_keyword(const char *text)
         bool (*none)(const char *behind);
     } words[] = {{"knit", no_version}, {"gauge", no_block}, {"material", no_block},  {"springs", no_block},
                  {"mesh", no_block},   {"solve", no_block}, {"stitch", no_body},     {"chart", no_body},
-                 {"if", no_body},      {"for", no_loop},    {"swatch", is_labelled}, {"motif", is_labelled},
+                 {"if", no_body},      {"for", no_loop},    {"swatch", no_fabric}, {"motif", is_labelled},
                  {"use", no_file},      {"let", no_value}};
     const char *behind = words_skip_blanks(text + words_length(text));
 
@@ -113,16 +131,6 @@ bool prose_is_keyword(const char *text)
 }
 
 /* ---- sentences ---- */
-
-static int count_words(const char *text)
-{
-    size_t n = words_line_length(text);
-    int words = 0;
-
-    for (size_t i = 0; i < n; i++)
-        words += isalnum((unsigned char)text[i]) && (i == 0 || isspace((unsigned char)text[i - 1]));
-    return words;
-}
 
 /* Words that begin a sentence, though some are nearly a statement's. */
 static const char *const sentence_word[] = {"the", "this", "you", "it", "we", "my", "how", "when", "now", "our", "your", "there", "these", "that", "then", "set"};
@@ -384,6 +392,68 @@ static bool is_keyword(const char *text)
     return words_find(text, word, sizeof word / sizeof *word) >= 0 && !prose_is_keyword(text);
 }
 
+/* `motif flag {`, `for i in 1..4 {`: a block of the language's own. */
+static bool begins_block(const char *text)
+{
+    size_t n = words_line_length(text);
+
+    while (n > 0 && strchr(" \t", text[n - 1]))
+        n--;
+    return (n > 0 && text[n - 1] == '{') || (memchr(text, '{', n) && !prose_reads(text, true) && words_is(text, "chart"));
+}
+
+bool prose_is_page(const char *text, size_t size)
+{
+    bool rows = false;
+
+    if (!words_are_page(text, size))
+        return false;
+    for (size_t at = 0, line; at < size; at += line + 1) {
+        const char *first = text + at + strspn(text + at, " \t*-");
+
+        line = words_line_length(text + at);
+        if ((is_keyword(first) && !prose_line_ends(first + words_length(first))) || begins_block(first))
+            return false;
+        rows |= prose_row_follows(first) || prose_begins_cast_on(first);
+    }
+    return rows;
+}
+
+/* `- * -`: no letter and no figure. */
+static bool is_rule(const char *text)
+{
+    size_t n = words_line_length(text);
+
+    for (size_t i = 0; i < n; i++)
+        if (isalnum((unsigned char)text[i]) || strchr("}{\"", text[i]))
+            return false;
+    return true;
+}
+
+/* `width = 3` */
+static bool is_value(const char *text)
+{
+    const char *sign = words_skip_blanks(text + words_name_length(text));
+
+    return words_name_length(text) > 0 && *sign == '=' && isdigit((unsigned char)*words_skip_blanks(sign + 1));
+}
+
+/* `(16 + 4 = 20)`, `YF = Yarn Forward`, `Stem`: a line without a word of work. */
+static bool is_idle(const char *text)
+{
+    static const char *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "cast", "co", "times", "time", "twice", "more", "work", "continue", "cont", "garter", "end"};
+    size_t n = words_line_within(text, WORDS_LINE + 1);
+
+    if (n > WORDS_LINE || *text == '}' || is_value(text) || is_mistyped(text) || has_stitches(text) || has_file_name(text) || memchr(text, '*', n))
+        return false;
+    for (size_t at = 0, length; at < n; at += length ? length : 1) {
+        length = words_length(text + at);
+        if (length && (words_are_rows(text + at) || words_find(text + at, work, sizeof work / sizeof *work) >= 0))
+            return false;
+    }
+    return true;
+}
+
 /* `Knit 4 rows`, `Row 1: ..`, `Then rep last 2 rows`, `k2, p2 rib 6 rows`: worked, where a sentence ends before. */
 static bool is_worked(const char *text)
 {
@@ -492,6 +562,8 @@ bool scanner_prose(struct scanner *scanner)
     int lines;
 
     scanner_looks_on(scanner);
+    if (parse->page && is_rule(text))
+        return true;
     if (again && !prose_reads(text, false))
         return false;
     if (!again && scanner->section && prose_reads(text, true) && !syntax_is_row(text)) {
@@ -502,7 +574,8 @@ bool scanner_prose(struct scanner *scanner)
         scanner->titles++;
         return true;
     }
-    if (!again && !prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text) && (scanner->begun || is_mistyped(text) || !prose_is_measure(text)))
+    if (!again && !prose_is_keyword(text) && !prose_reads(text, false) && !is_heading(text) && !(parse->page && is_idle(text)) &&
+        (scanner->begun || is_mistyped(text) || !prose_is_measure(text)))
         return false;
 
     if (scanner->begun && prose_sizes(scanner, span))

@@ -483,12 +483,13 @@ bool prose_is_measure(const char *text)
 {
     static const char *const work[] = {"k", "p", "knit", "purl", "cast", "co", "rep", "repeat", "work", "bind", "row", "round", "rnd"},
                              *const unit[] = {"cm", "cms", "mm", "in", "ins", "inch", "inches", "st", "sts", "stitches", "rows", "rounds"};
-    bool number = false, units = false;
+    bool number = false, units = false, equation = false;   /* `16 sts = 4 in` */
 
     for (size_t n; *text && !words_ends_line(*text); text += n ? n : 1) {
         n = words_length(text);
-        if (n ? words_find(text, work, sizeof work / sizeof *work) >= 0 : strchr("*={}|<>", *text) != NULL)
-            return false;
+        equation |= units && *text == '=';
+        if (n ? words_find(text, work, sizeof work / sizeof *work) >= 0 : strchr(equation ? "*{}|<>" : "*={}|<>", *text) != NULL)
+            return equation;
         number |= isdigit((unsigned char)*text) != 0;
         units |= number && n && words_find(text, unit, sizeof unit / sizeof *unit) >= 0;
     }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "lang/page_chart.h"
+#include "lang/prose.h"
 #include "lang/scanner.h"
 
 struct reader {
@@ -178,6 +179,7 @@ struct tokens tokens_read(struct arena *arena, struct names *names, const struct
 
     diag_init(&diag, arena);
     parse.text = reader.plain = source_read_as(arena, source, parse.chart, &parse.named);
+    parse.page = prose_is_page(source->text, source->size);
     parse.scanner = &scanner;
     scanner_tokens(&scanner, take, &reader);
     return reader.list;
