@@ -74,7 +74,7 @@
     X(CODE_LIMIT_LIST,      711, "too long a list, range or sweep")                                           \
     X(CODE_LIMIT_STITCHDEF, 712, "too many kinds of stitches")                                                \
     X(CODE_LIMIT_OUTPUTS,   713, "too many outputs")                                                          \
-    X(CODE_LIMIT_ERRORS,    714, "too many errors, warnings or lines of text: a file is read no further")     \
+    X(CODE_LIMIT_ERRORS,    714, "too many errors, warnings, statements or lines of text: a file is read no further") \
     /* charts from elsewhere */                                                                               \
     X(CODE_RAGGED,          801, "a row of a chart file that is longer or shorter than the first")            \
     X(CODE_BLANK_ROW,       802, "an empty line among the rows of a chart file")                              \

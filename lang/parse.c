@@ -106,11 +106,11 @@ static char explained_sign(const char *line)
 {
     size_t n = words_line_length(line);
 
-    for (size_t i = 1; i < n; i++) {
+    for (size_t i = n > 0; (i += strcspn(line + i, "=:\r\n")) < n; i++) {
         char sign = line[i - 1 - (line[i - 1] == ' ' && i > 1)];
         const char *meaning = words_skip_blanks(line + i + 1);
 
-        if (strchr("=:", line[i]) && !isalnum((unsigned char)sign) && !strchr(" )]\"'*", sign) && (words_is(meaning, "knit") || words_is(meaning, "purl")))
+        if (!isalnum((unsigned char)sign) && !strchr(" )]\"'*", sign) && (words_is(meaning, "knit") || words_is(meaning, "purl")))
             return sign;
     }
     return 0;
@@ -160,13 +160,20 @@ static bool is_too_long(struct diag *diag, const struct source *source)
 
 static bool has_long_line(struct diag *diag, const struct source *source)
 {
+    int lines = 0;
+
     for (size_t at = 0, length; at < source->size; at += length + 1) {
-        length = strcspn(source->text + at, "\r\n");
-        if (length > LIMIT_LINE) {
-            diag_error(diag, CODE_LIMIT_LINE, (struct span){source, (unsigned)at, (unsigned)at},
-                       "this line is %zu bytes long; a line may have %d", length, LIMIT_LINE);
-            return true;
-        }
+        struct span span = {source, (unsigned)at, (unsigned)at};
+
+        length = words_line_length(source->text + at);
+        lines += length > 0 || source->text[at] != '\n' || at == 0 || source->text[at - 1] != '\r';
+        if (length > LIMIT_LINE)
+            diag_error(diag, CODE_LIMIT_LINE, span, "this line is %zu bytes long; a line may have %d", length, LIMIT_LINE);
+        else if (lines > LIMIT_LINES)
+            diag_error(diag, CODE_LIMIT_FILE, span, "the file is longer than %d lines", LIMIT_LINES);
+        else
+            continue;
+        return true;
     }
     return false;
 }
@@ -214,7 +221,7 @@ static const struct spelling *spelling_at(const char *text)
     if (!strchr(spelling_first, *text))
         return NULL;
     for (size_t i = 0; i < sizeof spellings / sizeof *spellings; i++)
-        if (strncmp(text, spellings[i].text, strlen(spellings[i].text)) == 0)
+        if (text[1] == spellings[i].text[1] && strncmp(text, spellings[i].text, strlen(spellings[i].text)) == 0)
             return &spellings[i];
     return NULL;
 }

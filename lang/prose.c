@@ -518,7 +518,7 @@ static int block_length(const char *text, size_t length, const char **end)
 {
     int n = 1;
 
-    for (*end = text + length; strchr("\r\n", **end); n++) {
+    for (*end = text + length; n <= LIMIT_TEXTS && strchr("\r\n", **end); n++) {
         text = next_line(text);
         if (!(*text && !is_worked(text) && !prose_statement_follows(text) && !is_labelled_statement(text) && !is_keyword(text) &&
               !prose_is_keyword(text) && prose_reads(text, false)))

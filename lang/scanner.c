@@ -17,16 +17,29 @@ void scanner_advance(struct scanner *scanner, struct span *span, size_t length)
     scanner->at = span->end;
 }
 
+/* What there are too many of, lines of text for one, or NULL; and how many there may be. */
+static const char *has_too_many(const struct scanner *scanner, int *most)
+{
+    const struct { int n, most; const char *of; } counted[] = {
+        {scanner->texts, LIMIT_TEXTS, "lines of text"}, {scanner->statements, LIMIT_STATEMENTS, "statements"}, {scanner->lines, LIMIT_LINES, "lines"}};
+
+    for (size_t i = 0; i < sizeof counted / sizeof *counted; i++)
+        if (counted[i].n > (*most = counted[i].most))
+            return counted[i].of;
+    return NULL;
+}
+
 bool scanner_gives_up(struct scanner *scanner, struct span span)
 {
     size_t size = scanner->parse->source->size, most = LIMIT_AGAIN * size, many = LIMIT_AGAIN_ALL + 4 * size;
-    bool text = scanner->texts > LIMIT_TEXTS;
+    int enough;
+    const char *read = has_too_many(scanner, &enough);
 
     scanner->quiet |= diag_is_full(scanner->parse->diag, span);
-    if ((scanner->again <= (most < many ? most : many) + LIMIT_LINE && !text) || scanner->parse->diag->full)
+    if ((scanner->again <= (most < many ? most : many) + LIMIT_LINE && !read) || scanner->parse->diag->full)
         return scanner->parse->diag->full;
-    if (!scanner->quiet && text)
-        diag_error(scanner->parse->diag, CODE_LIMIT_ERRORS, span, "after %d lines of text this file is read no further", LIMIT_TEXTS);
+    if (!scanner->quiet && read)
+        diag_error(scanner->parse->diag, CODE_LIMIT_ERRORS, span, "after %d %s this file is read no further", enough, read);
     else if (!scanner->quiet)
         diag_error(scanner->parse->diag, CODE_LIMIT_LINE, span, "too many sentences or rows stand on lines such as this one: it is read no further");
     scanner->quiet = true;
@@ -56,6 +69,7 @@ int scanner_token(struct scanner *scanner, int kind)
     scanner->comma = false;
     scanner->previous = kind;
     scanner->texts += kind == TOKEN_PROSE;
+    scanner->lines += kind == TOKEN_NEWLINE;
     if (kind == TOKEN_NEWLINE || kind == TOKEN_END || (kind == '}' && !scanner->hole)) {
         scanner->star_left = scanner->star;
         scanner->star = scanner->complained = false;
@@ -66,6 +80,7 @@ int scanner_token(struct scanner *scanner, int kind)
 void scanner_begin(struct scanner *scanner, int statement)
 {
     scanner->statement = statement;
+    scanner->statements++;
     scanner->stops = false;
     scanner->begun = true;
     scanner->bare = statement == TOKEN_CAST_ON;

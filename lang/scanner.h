@@ -29,7 +29,7 @@ struct scanner {
     struct parse *parse;
     unsigned      at;               /* bytes read */
     size_t        again;            /* and bytes read again, as they were given back or looked through */
-    int           texts;            /* lines and sentences that were prose */
+    int           texts, statements, lines;     /* of the file so far: prose, what is none, and what ended either */
     struct words_line line;         /* that is read */
     int           start;            /* the token that comes before all others */
     int           statement;        /* the token that began this statement */

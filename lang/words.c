@@ -10,7 +10,7 @@ bool words_are_rows(const char *text)
 {
     static const char *const word[] = {"row", "rows", "round", "rounds", "rnd", "rnds", "rd", "rds"};
 
-    return words_find(text, word, sizeof word / sizeof *word) >= 0;
+    return (*text == 'r' || *text == 'R') && words_find(text, word, sizeof word / sizeof *word) >= 0;
 }
 
 bool words_are_stitches(const char *text)

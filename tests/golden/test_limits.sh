@@ -134,9 +134,10 @@ else
 fi
 
 # Errors on every line: after ten thousand of them the file is read no further, with
-# five bytes of memory for each of the file; a hang ends at the processor time allowed.
+# $each bytes of memory for each of the file; a hang ends at the processor time allowed.
+each=5
 lean_limit() {
-    [ -z "${base-}" ] || room=$((base + 5 * $(wc -c <"$work/x.knit") / 1024))
+    [ -z "${base-}" ] || room=$((base + each * $(wc -c <"$work/x.knit") / 1024))
     limit "$@"
 }
 make 'print "Cast on 4\nRow 1: k4"; for (i = 0; i < 800000; i++) print "rep from x"'
@@ -149,13 +150,21 @@ make 'for (i = 0; i < 800000; i++) print "rep from x"'
 lean_limit E0714 'lines read as text'
 make 'print "Cast on 4\nRow 1: k4"; for (i = 0; i < 800000; i++) print "= a line of a head"'
 lean_limit E0714 'lines of text that need no message'
+make 'for (i = 0; i < 900000; i++) print "; ; ; ;"'
+lean_limit E0714 'statements of nothing'
+make 'for (i = 0; i < 1000001; i++) print "# remark"'
+lean_limit E0701 'more than a million lines'
+each=8
+make 'for (i = 0; i < 900000; i++) print "Row 1: [x](y)"'
+lean_limit E0714 'more rows than may be worked'
 
 # What was meant is looked for only where it is told: these took five times as long.
 seconds=6
 room=
 make 'for (i = 0; i < 400000; i++) print "use nothing from std"'
 limit E0601 'a name the library does not have, on every line'
-make 'for (i = 0; i < 150000; i++) printf "Row %d: q1, q2, q3, q4, q5, q6, q7, q8\n", i + 1'
+seconds=4
+make 'for (i = 0; i < 110000; i++) printf "Row %d: q1, q2, q3, q4, q5, q6, q7, q8\n", i + 1'
 limit E0301 'no stitch on any line'
 
 finish
