@@ -146,6 +146,18 @@ static bool is_begun(const char *line, struct piece piece)
     return piece.behind_stop || (count_words(piece) > 1 && !memchr(piece.text, ':', piece.length));
 }
 
+/* `pattern (I worked them 5` before `more times)`: a bracket that the next line closes. */
+static bool closes_bracket(const char *line, size_t length, const char *next, size_t rest)
+{
+    size_t open = length, close = 0;
+
+    while (open > 0 && !strchr("()", line[open - 1]))
+        open--;
+    while (close < rest && !strchr("()", next[close]))
+        close++;
+    return open > 0 && line[open - 1] == '(' && isupper((unsigned char)*words_skip_blanks(line + open)) && close < rest && next[close] == ')' && !begins_part(next, rest);
+}
+
 /* Whether the sentence that a line ends with goes on in the next. `whole`: the line has one of a line before it. */
 static bool is_broken(const char *line, size_t length, const char *next, size_t rest, bool whole)
 {
@@ -153,7 +165,7 @@ static bool is_broken(const char *line, size_t length, const char *next, size_t 
 
     if (!piece.length || !rest || has_sign(line, length, "#{}"))
         return false;
-    if (is_head(piece, next) || names_rows(piece, next))
+    if (is_head(piece, next) || names_rows(piece, next) || closes_bracket(line, length, next, rest))
         return true;
     if (needs_more(piece) && !has_sign(piece.text, piece.length, "*[=\"") && !is_row_text(piece.text))
         return islower((unsigned char)*next) ? !words_are_rows(next) && !has_sign(next, rest, "={}\"") : isdigit((unsigned char)*next) && !has_sign(next, rest, ":|)");

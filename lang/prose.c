@@ -506,7 +506,7 @@ static bool asks_for_work(const char *text, size_t length)
 
         if ((i > 0 && isalnum((unsigned char)text[i - 1])) || !isalpha((unsigned char)text[i]))
             continue;
-        stitches += words_find(text + i, stitch, 4) >= 0 && isdigit((unsigned char)*behind);
+        stitches += words_find(text + i, stitch, 4) >= 0 && isdigit((unsigned char)*behind) && !isalpha((unsigned char)behind[strspn(behind, "0123456789")]);
         asks |= words_find(text + i, rib, 6) >= 0 && prose_rows_follow(behind);
         asks |= first >= 3 && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }

@@ -43,6 +43,9 @@ bool prose_has_cast_on(const char *text)
 
     if (!behind)
         return words_find(words_skip_blanks(text + words_length(text)), multiple, sizeof multiple / sizeof *multiple) >= 0;
+    behind = words_skip_blanks(behind);
+    if (*behind == '(' && behind[strcspn(behind, ")\r\n")] == ')' && prose_line_ends(behind + strcspn(behind, ")") + 1))
+        return true;
     behind += strcspn(behind, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.\r\n");
     return words_are_stitches(behind);
 }

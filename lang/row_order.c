@@ -16,7 +16,7 @@ enum side row_list_side(const struct row_list *list, int i)
     return list->round || i % 2 == 0 ? start : other_side(start);
 }
 
-/* The first marked row decides on which side the work begins. */
+/* The first marked row decides on which side the work begins; else what is said of the rows. */
 static void find_start(struct row_list *list)
 {
     for (int i = 0; i < list->npending && !list->start; i++) {
@@ -25,6 +25,8 @@ static void find_start(struct row_list *list)
         if (text && text->side)
             list->start = (list->norder + i) % 2 == 0 || list->round ? text->side : other_side(text->side);
     }
+    if (!list->start && list->row_1 && !list->round)
+        list->start = (list->norder + list->first) % 2 ? list->row_1 : other_side(list->row_1);
     if (list->round && list->start == SIDE_WS) {
         diag_error(list->diag, CODE_ROW_SIDE, list->span, "a round is always worked from the right side");
         row_list_fail(list);

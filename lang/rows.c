@@ -16,6 +16,11 @@ struct row_list *rows_new(struct arena *arena, struct diag *diag)
     return list;
 }
 
+void rows_side(struct row_list *list, enum side side)
+{
+    list->row_1 = side;
+}
+
 bool rows_any(const struct row_list *list)
 {
     return list->norder || list->npending || list->filler;

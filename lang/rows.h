@@ -74,6 +74,9 @@ struct row_list;
 enum width_from { WIDTH_CAST_ON, WIDTH_MULTIPLE, WIDTH_ASKED, WIDTH_ROWS };
 
 struct row_list *rows_new(struct arena *, struct diag *);
+
+/* Row 1 is worked on a side where no row is marked otherwise. */
+void rows_side(struct row_list *, enum side);
 bool rows_any(const struct row_list *);
 
 /* Adds a text at a row number. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "lang/page_chart.h"
+#include "lang/page_sides.h"
 #include "lang/prose.h"
 #include "lang/syntax.h"
 #include "lang/token_values.h"
@@ -70,6 +71,7 @@ int scanner_token(struct scanner *scanner, int kind)
     scanner->previous = kind;
     scanner->texts += kind == TOKEN_PROSE;
     scanner->lines += kind == TOKEN_NEWLINE;
+    scanner->multiple = kind == TOKEN_MULTIPLE_OF || kind == TOKEN_NUMBER_OF || (scanner->multiple && kind != TOKEN_ROW && kind != TOKEN_BARE_ROW);
     if (kind == TOKEN_NEWLINE || kind == TOKEN_END || (kind == '}' && !scanner->hole)) {
         scanner->star_left = scanner->star;
         scanner->star = scanner->complained = false;
@@ -108,6 +110,13 @@ bool scanner_closes_repeat(const struct scanner *scanner)
     return previous == TOKEN_REP_FROM || previous == TOKEN_REP || (previous == TOKEN_STAR && !scanner->star);
 }
 
+bool scanner_closes_unopened(const struct scanner *scanner)
+{
+    const char *behind = words_skip_blanks(SCANNER_TEXT(scanner));
+
+    return !scanner->star && !scanner->comma && scanner->previous != ':' && (*behind == ',' || *behind == ';');
+}
+
 bool scanner_bare_row(const struct scanner *scanner)
 {
     const char *text = SCANNER_TEXT(scanner);
@@ -134,7 +143,7 @@ bool scanner_is_text(struct scanner *scanner)
     struct parse *parse = scanner->parse;
     size_t at = (size_t)(words_skip_blanks(SCANNER_TEXT(scanner)) - parse->text);
 
-    return page_chart_line(parse->chart, scanner->at).source || named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at);
+    return page_chart_line(parse->chart, scanner->at).source || named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at) || page_sides_line(parse->text + at);
 }
 
 bool scanner_in_row_head(const struct scanner *scanner)
@@ -151,7 +160,7 @@ bool scanner_takes_colon(const struct scanner *scanner)
 /* Behind the first statement such a sentence begins with its needles: `With 4 mm needles cast on ..`. */
 size_t scanner_cast_on(const struct scanner *scanner, const char *text, size_t length)
 {
-    bool first = !scanner->begun || words_is(text, "with") || words_is(text, "using");
+    bool first = !scanner->begun || scanner->multiple || words_is(text, "with") || words_is(text, "using");
     size_t cast_on = prose_begins_cast_on(text);
 
     return cast_on ? cast_on : first && prose_has_cast_on(SCANNER_TEXT(scanner)) ? length : 0;

@@ -40,6 +40,7 @@ struct scanner {
     bool          complained;       /* about a character of this line */
     bool          bold;             /* `**` was opened before this head */
     bool          begun;            /* a statement came before */
+    bool          multiple;         /* of what the stitches are a multiple, and no row yet */
     int           bare;             /* the number of the next row, where rows without their names may stand; or 0 */
     bool          closed;           /* the stitches were cast off */
     bool          section;          /* of materials, notes or abbreviations, up to an empty line */
@@ -136,6 +137,9 @@ int scanner_size_list(struct scanner *, struct span);
 
 /* Whether what was read last ends a repeat: its second star, or `rep from *`. */
 bool scanner_closes_repeat(const struct scanner *);
+
+/* Whether the star read last closes a repeat whose first star is lost: `K2, P2 *, K1`. */
+bool scanner_closes_unopened(const struct scanner *);
 
 /* Brackets: what kind was opened; the register to go back to, 0 behind a block,
  * -1 where nothing was open. */

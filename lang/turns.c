@@ -8,10 +8,11 @@ const struct phrase turns_of_pages[] = {
     {"@ the rest|remainder", "to end"},
     {"@ all? the? rem|remaining =# sts|stitches", ""},
     {"@ all? the? rem|remaining sts|stitches", "to end"},
+    {"@ all the? sts|stitches =across|around|to", ""},
     {"all the way across|along|around|round", "to end"},
     {"all the way to the? end", "to end"},
     {"each|every st|stitch across|around|to the? end", "to end"},
-    {"across|around the? row|round|rnd? until|till|to =#|there|just|only|you", "until"},
+    {"across|around the? row|round|rnd? =until|till|to =#|there|just|only|you", ""},
 
     /* to so many stitches before it */
     {"until|till you get|come to the? =last", "to"},
@@ -25,7 +26,7 @@ const struct phrase turns_of_pages[] = {
 
     /* so many stitches */
     {"@ the? next|first|last|following =# =sts|stitches|st|stitch", ""},
-    {"@ the? first|last|next st|stitch", "1"},
+    {"@ the|that|this? first|last|next|final|remaining st|stitch", "1"},
 
     /* a repeat */
     {"rep.|rpt", "rep"},
@@ -33,6 +34,7 @@ const struct phrase turns_of_pages[] = {
     {"(|[ work all? the? sts|stitches as they appear|come|lie|face )|]", "k k st p p st"},
     {"( =# =times )", ""},
     {"repeat|rep to|until|till desired|required|wanted|needed", "rep as desired"},
+    {"=repeat|rep =from =* ,|; last # sts|stitches|st in|:|,?", "to last # sts,"},
     {"=repeat|rep between|within|inside? the? parentheses|brackets", ""},
     {"=repeat|rep these|those|the # stitches|sts", ""},
 
@@ -51,6 +53,7 @@ const struct phrase turns_of_pages[] = {
     {"=# above|again", ""},
     {"step =# =:|.|)", ""},
     {"< pattern|patt|pat =row|rows|round|rounds|rnd|rnds =#", ""},
+    {"^ row|rows|round|rounds|rnd|rnds # to|- end|finish :|- =repeat|rep|continue|cont", ""},
     {"=repeat|rep rows|rounds|rnds =until|till|to|as", "them"},
     {"continue|cont|keep|by repeating =rows|rounds|rnds|row|these|this|the|last", "repeat"},
     {"continue|cont to repeat|rep =rows|rounds|rnds|row|these|this|the|last", "repeat"},
@@ -63,6 +66,7 @@ const struct phrase turns_of_pages[] = {
     {"=repeat|rep the? above =row|rows|round|rounds|rnd|rnds", "these"},
     {"like =row|rows|round|rnd|rounds|rnds", "as"},
     {"=for a further =#", ""},
+    {"=row|rows after casting|cast on =,", ""},
 
     {"=work|cont|continue|knit even|straight =for =# =rows|rounds|rnds", ""},
     {"=# =row|rows|round|rounds|rnd|rnds , and|then? then? =knit|purl|k|p|work =#", "."},
@@ -125,6 +129,7 @@ const struct phrase turns_of_pages[] = {
     {"con - =#|a|an|multiple|multiples|odd|even|any", "con"},
     {"alternative =row|rows|rnd|rnds|round|rounds", "alternate"},
     {"=row|rows|rnd|rnds|round|rounds =# =&|and row|rnd|round =#", ""},
+    {"^ pattern|patt|pat :|= =repeat|rep =row|rows|rnd|rnds|round|rounds", ""},
     {"=repeat|rep pattern|patt|pat|chart stitch|st? =row|rows|rnd|rnds|round|rounds =#", ""},
     {"for pattern|patt|pat =until|till", ""},
     {"repeating =to|across|until|from", "rep"},
@@ -196,6 +201,7 @@ const struct phrase turns_of_pages[] = {
     {"=cast -? =on stitches|sts|count|number : =#", ""},
     {"^ i|we|you|i've =cast|casted =on =#", ""},
     {"=cast -? =on ( =# =sts|stitches )", ""},
+    {"cast -? on the|your? stitches|sts : =to|with|using|cast|begin|start", ""},
     {"=cast -? =on =# m|ms|masks|maske|loops", ""},
     {"=co =# m|ms|masks|maske|loops", ""},
     {"# edge|selvedge|selvage m|ms", "k#"},
@@ -213,6 +219,7 @@ const struct phrase turns_of_pages[] = {
     /* widths */
     {"any =multiple =of", ""},
     {"multiples of", "multiple of"},
+    {"in multiples|groups|sets|batches of =#", "multiple of"},
     {"mult. of", "mult of"},
     {"a? number of sts|stitches that|is|are? evenly? divisible by", "multiple of"},
 

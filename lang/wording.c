@@ -317,11 +317,24 @@ static void put_inner(struct wording *w, size_t at)
     memcpy(own_text(w) + close, ") ", 2);
 }
 
-/* How long `{k1, p1}` is: nothing but stitches, and more than one; or 0. */
+/* How long `{8mm}`, `{ 5 in }` is; or 0. */
+static size_t measure_length(const char *text)
+{
+    size_t at = 1 + strspn(text + 1, " "), digits = strspn(text + at, "0123456789.,"), unit;
+
+    at += digits + strspn(text + at + digits, " ");
+    unit = one_of("mm|cm|cms|in|inch|inches", text + at);
+    at += unit + strspn(text + at + unit, " ");
+    return digits && unit && text[at] == '}' ? at + 1 : 0;
+}
+
+/* How long `{k1, p1}` is: nothing but stitches, and more than one, or a needle's size; or 0. */
 static size_t braces_length(const char *text)
 {
     size_t at = 1, stitches = 0;
 
+    if (measure_length(text))
+        return measure_length(text);
     for (; strchr("kKpP", text[at]) && text[at]; stitches++) {
         at++;
         at += strspn(text + at, "0123456789");
