@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/headings.h"
 #include "lang/page_chart.h"
 #include "lang/refused.h"
 #include "lang/scanner.h"
@@ -201,7 +202,7 @@ static bool has_call(const char *text)
 }
 
 /* Whether so many plain words stand on the line that signs and stitches among them do not matter. */
-static bool is_long_sentence(const char *text)
+bool prose_is_long(const char *text)
 {
     static const char *const work[] = {"knit", "purl", "repeat", "rep", "from", "end", "row", "rows", "last", "sts", "times", "stitches",
                                        "twice", "stitch", "until", "remaining", "again", "more", "across", "then", "and", "the", "once"};
@@ -258,7 +259,7 @@ bool prose_reads(const char *text, bool loose)
     text += *text == '(' && isupper((unsigned char)text[1]) && count_words(text) >= SENTENCE;
     if (words_line_within(text, WORDS_LINE + 1) > WORDS_LINE || line_has(text, "{}") || is_mistyped(text) || is_repeat_until(text))
         return false;
-    if (loose || is_long_sentence(text))
+    if (loose || prose_is_long(text))
         return true;
     return !line_has(text, "[]=<>*|") && !has_file_name(text) && !has_stitches(text) && !has_call(text) &&
            (words_length(text) > 0 || (isdigit((unsigned char)*text) && count_words(text) >= SENTENCE)) && (count_words(text) > 1 || line_has(text, ":!"));
@@ -481,7 +482,10 @@ size_t prose_length(const struct scanner *scanner, const char *text)
         return line;
     for (size_t i = 0; !scanner->section && i < line; i++) {
         const char *next = words_skip_blanks(text + i + 1);
+        size_t heading;
 
+        if (text[i] == '.' && !scanner->begun && headings_find(next, &heading))
+            next += heading;
         if (text[i] == '.' && isspace((unsigned char)text[i + 1]) && (scanner->begun ? is_worked(next) : prose_begins_cast_on(next) > 0))
             return i;
     }
@@ -497,7 +501,7 @@ static bool asks_for_work(const char *text, size_t length)
                              *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"},
                              *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
     int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
-    bool asks = first >= 0 && first < 2 && memchr(text, '*', length);
+    bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
 
     if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0)
         return false;
@@ -510,7 +514,7 @@ static bool asks_for_work(const char *text, size_t length)
         asks |= words_find(text + i, rib, 6) >= 0 && prose_rows_follow(behind);
         asks |= first >= 3 && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
-    return asks || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
+    return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
 }
 
 /* How many lines from here on read as prose, the first as far as it goes; `end` is behind the last. */
@@ -587,7 +591,8 @@ bool scanner_prose(struct scanner *scanner)
 
     if (scanner->begun && !scanner->closed && asks_for_work(text, prose_length(scanner, text))) {
         diag_error(parse->diag, CODE_STATEMENT, span, "this asks for stitches, but which rows they are cannot be told");
-        diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`; so many rows: `Work 6 rows in k2, p2 rib`");
+        diag_hint(parse->diag, prose_works_until(text) ? "`Knit every row until ..`, or for the rows above `Work in pattern until ..`"
+                                                       : "a row begins with its name: `Row 1: ...`; so many rows: `Work 6 rows in k2, p2 rib`");
         return true;
     }
 

@@ -24,10 +24,12 @@ bool prose_is_page(const char *text, size_t size);
 /* Whether the line holds measures, `24 stitches, 12 rows`, `To fit chest 81[86:91] cm`, and no work. */
 bool prose_is_measure(const char *text);
 
+bool prose_works_until(const char *text);           /* `Knit until it measures 8 in`: which rows these are is open */
 bool prose_line_ends(const char *text);             /* nothing but blanks follows */
 bool prose_names_row(const char *text);             /* "1st and 3rd rows:" */
 bool prose_statement_follows(const char *text);     /* a statement that a numbered list may hold */
 bool prose_is_keyword(const char *text);            /* "use size 8 needles": a statement's word, but no statement */
+bool prose_is_long(const char *text);               /* so many plain words that stitches and signs among them do not matter */
 bool prose_reads(const char *text, bool loose);     /* a sentence; loosely: of a list of materials or abbreviations */
 bool prose_is_title(const char *text);
 bool prose_repeats_rows(const char *text);          /* behind `repeat`: rows, not a part of one */
@@ -35,7 +37,7 @@ bool prose_fabric_follows(const char *text);        /* "garter st", "k2, p2 rib"
 bool prose_has_cast_on(const char *text);           /* "20 sts": so many stitches come next */
 bool prose_stitches_follow(const char *text);       /* a row's text, of a list that numbers its rows */
 bool prose_sentence_begins(const char *text);       /* "repeat rows 1-4", "then purl 3 rows", "bind off": of a line's several */
-bool prose_is_head(const char *text);               /* "work in pattern thus:" */
+bool prose_is_head(const char *text);               /* "work in pattern thus:", rows behind it or nothing */
 bool prose_is_side_mistyped(const char *text);      /* "(SR)" */
 bool prose_repeat_follows(const char *text);        /* "rep", "repeat" */
 size_t prose_names_pattern(const char *text);       /* "work panel A over 12 sts": its bytes, no more than of a name; or 0 */

@@ -20,6 +20,8 @@ bool prose_names_row(const char *text)
     for (size_t i = 0; i < WORDS_REACH && text[i] && !strchr(":\r\n", text[i]); i += words_length(text + i) + (words_length(text + i) == 0))
         if (words_are_rows(text + i))
             return true;
+        else if (text[i] == '.' && isupper((unsigned char)*words_skip_blanks(text + i + 1)))
+            return false;
     return false;
 }
 
@@ -60,6 +62,8 @@ bool prose_repeats_rows(const char *text)
         text = words_skip_blanks(text + words_length(text));
 
     /* `repeat until it measures 8 in`; not `repeat until 2 sts remain`. */
+    if (words_length(text) > 3 && words_are_rows(words_skip_blanks(text + words_length(text))))
+        return true;
     if (words_is(text, "until") || words_is(text, "till"))
         return lengths_follow(text) || words_line_has(text, "yarn") || words_line_has(text, "rows") || words_line_has(text, "rounds");
     return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || prose_rows_follow(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
@@ -267,7 +271,7 @@ bool prose_is_head(const char *text)
 {
     const char *colon = strchr(text, ':');
 
-    return colon && prose_line_ends(colon + 1);
+    return colon && (prose_line_ends(colon + 1) || prose_heads_rows(text, colon + 1));
 }
 
 bool prose_is_side_mistyped(const char *text)
@@ -482,10 +486,23 @@ bool prose_heads_rows(const char *sentence, const char *behind)
     return prose_names_row(next) || (tolower((unsigned char)*next) == 'r' && isdigit((unsigned char)next[1]));
 }
 
+bool prose_works_until(const char *text)
+{
+    static const char *const work[] = {"k", "knit", "p", "purl"};
+    const char *next = words_skip_blanks(text + words_length(text));
+
+    if (words_find(text, work, 4) < 0)
+        return false;
+    if (words_is(next, "for"))
+        return lengths_follow(words_skip_blanks(next + 3));
+    return (words_is(next, "until") || words_is(next, "till")) && (lengths_follow(next) || words_line_has(next, "length") || words_line_has(next, "measures"));
+}
+
 bool prose_is_measure(const char *text)
 {
     static const char *const work[] = {"k", "p", "knit", "purl", "cast", "co", "rep", "repeat", "work", "bind", "row", "round", "rnd"},
-                             *const unit[] = {"cm", "cms", "mm", "in", "ins", "inch", "inches", "st", "sts", "stitches", "rows", "rounds"};
+                             *const unit[] = {"cm", "cms", "mm", "in", "ins", "inch", "inches", "st", "sts", "stitches", "rows", "rounds",
+                                              "ball", "balls", "skein", "skeins", "hank", "hanks", "yard", "yards", "yds", "g", "gm", "gms", "grams", "oz"};
     bool number = false, units = false, equation = false;   /* `16 sts = 4 in` */
 
     for (size_t n; *text && !words_ends_line(*text); text += n ? n : 1) {

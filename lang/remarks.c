@@ -82,15 +82,17 @@ size_t remarks_caption(const char *text, char plain[static SIGNS_PLAIN])
                                        "slip", "inc", "increase", "increasing", "dec", "decrease", "decreasing", "join", "change", "next", "then",
                                        "place", "remove", "twice", "once", "times", "more", "as", "with", "using"};
     size_t count = asserted_length(text), at = count, n;
-    bool words = false;
+    bool words = false, named = false;
 
     if (!count || count >= SIGNS_PLAIN)
         return 0;
     for (; text[at] && !strchr("\r\n", text[at]); at += n ? n : 1) {
         n = words_length(text + at);
-        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
+        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 || prose_row_follows(text + at)
+              : !(named && isdigit((unsigned char)text[at])) && !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
             return 0;
         words |= n > 0;
+        named |= n > 2;
     }
     memcpy(plain, text, count);
     plain[words ? count : 0] = '\0';

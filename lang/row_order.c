@@ -120,6 +120,8 @@ void rows_work(struct row_list *list)
             text = filler_for(list, label, row_list_side(list, list->norder));
         if (!text) {
             diag_error(list->diag, CODE_ROW_NUMBER, behind_gap(list, i), "row %d is missing", label);
+            if (list->norder >= label)
+                diag_note(list->diag, behind_gap(list, i), "%d row%s above it, with those that have no number", list->norder, list->norder == 1 ? " is" : "s are");
             diag_hint(list->diag, label == 1 ? "number the first row 1, also where the cast-on has been called row 1" :
                       "rows are numbered 1, 2, 3 ..; `all WS rows: purl` can stand for every second one");
             row_list_fail(list);
