@@ -107,7 +107,7 @@ static inline bool item_is_plain(const struct item *item)
 }
 
 /* Which rows a head names: a number, a first and a last, or all of a kind. */
-enum all_kind { ALL_NONE, ALL_RS, ALL_WS, ALL_EVEN, ALL_ODD, ALL_OTHER, ALL_FOLLOWING, ALL_EVERY };
+enum all_kind { ALL_NONE, ALL_RS, ALL_WS, ALL_EVEN, ALL_ODD, ALL_OTHER, ALL_FOLLOWING, ALL_EVERY, ALL_RS_ROW, ALL_WS_ROW };
 
 struct row_numbers {
     struct expr        *first, *last;   /* last NULL: one row */

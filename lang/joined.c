@@ -97,7 +97,8 @@ static bool begins_part(const char *text, size_t length)
                              *const of_rows[] = {"next", "for", "all", "every", "each", "first", "another", "any", "over", "on", "using", "with", "ending", "finishing"};
     bool rows = words_find(text, of_rows, sizeof of_rows / sizeof *of_rows) >= 0;
 
-    if (rows && (has_sign(text, length, "0123456789") || words_line_has(text, "rows") || words_line_has(text, "row") || words_line_has(text, "rounds")))
+    if (rows && (has_sign(text, length, "0123456789") || words_line_has(text, "rows") || words_line_has(text, "row") || words_line_has(text, "rounds") || words_line_has(text, "number") ||
+                 words_line_has(text, "multiple")))
         return true;
     return words_find(text, word, sizeof word / sizeof *word) >= 0 || (!rows && words_find(text, statement_word, nstatement_words) >= 0) || words_are_rows(text) ||
            words_are_rows(words_skip_blanks(text + words_length(text))) || !prose_reads(text, true) ||

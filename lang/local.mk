@@ -6,7 +6,7 @@ liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/code
     lang/scanner.h lang/scanner.c lang/token_values.h lang/token_values.c lang/unreadable.c lang/brackets.c lang/line_ends.c \
     lang/syntax.h lang/syntax.c lang/expected.h lang/expected.c lang/words.h lang/words.c lang/lengths.h lang/lengths.c lang/headings.h lang/headings.c lang/named.h lang/named.c lang/ribs.h lang/ribs.c lang/repeats.h lang/repeats.c lang/prose.h lang/prose.c lang/prose_parts.c lang/wording.h lang/wording.c \
     lang/phrases.h lang/phrases.c \
-    lang/signs.h lang/signs.c lang/remarks.h lang/remarks.c lang/printed.h lang/printed_parts.h lang/printed.c lang/printed_heads.c lang/printed_words.c lang/turns.h lang/turns.c \
+    lang/signs.h lang/signs.c lang/remarks.h lang/row_phrases.h lang/remarks.c lang/row_phrases.c lang/printed.h lang/printed_parts.h lang/printed.c lang/printed_heads.c lang/printed_words.c lang/turns.h lang/turns.c \
     lang/marks.h lang/marks.c lang/joined.h lang/joined.c lang/heads.h lang/heads.c \
     lang/typos.h lang/typos.c \
     lang/eval.h lang/eval.c lang/module.c lang/stitches.c lang/motif.c lang/builtin.c lang/body.c lang/lower.h lang/lower.c \

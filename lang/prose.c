@@ -323,9 +323,20 @@ static bool has_count(const char *text)
 bool prose_is_title(const char *text)
 {
     text += *text == '(' && (words_length(text + 1) > 4 || (isupper((unsigned char)text[1]) && words_length(text + 1) > 1));
-    return !line_has(text, "{}[]=<>*|") && !has_file_name(text) && !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) &&
-           !has_call(text) && !has_count(text) && count_words(text) > 0 && count_words(text) <= TITLE_WORDS &&
-           (words_length(text) > 0 || count_words(text) > 1);
+    if (line_has(text, "{}[]=<>*|") || has_file_name(text))
+        return false;
+    text += strspn(text, "\"'");
+    return !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) && !has_call(text) && !has_count(text) && count_words(text) > 0 &&
+           count_words(text) <= TITLE_WORDS && (words_length(text) > 0 || count_words(text) > 1);
+}
+
+/* `(c) 2011 Jane`, `Copyright 2011. For personal use only.` */
+static bool is_copyright(const char *text)
+{
+    size_t sign = strncasecmp(text, "(c)", 3) == 0 ? 3 : words_is(text, "copyright") ? strlen("copyright") : 0;
+    const char *behind = words_skip_blanks(text + sign);
+
+    return sign && (words_length(behind) > 1 || strspn(behind, "0123456789") == 4 || strncasecmp(behind, "(c)", 3) == 0);
 }
 
 /* ---- in the scanner ---- */
@@ -566,7 +577,7 @@ bool scanner_prose(struct scanner *scanner)
     int lines;
 
     scanner_looks_on(scanner);
-    if (parse->page && is_rule(text))
+    if (is_copyright(text) || (parse->page && is_rule(text)))
         return true;
     if (again && !prose_reads(text, false))
         return false;
@@ -586,7 +597,7 @@ bool scanner_prose(struct scanner *scanner)
         return true;
 
     /* An instruction is none, once there is a pattern. */
-    if (scanner->begun && refused_sentence(parse->diag, span))
+    if (scanner->begun && (refused_sentence(parse->diag, span) || is_of_every_row(parse->diag, text, span)))
         return true;
 
     if (scanner->begun && !scanner->closed && asks_for_work(text, prose_length(scanner, text))) {

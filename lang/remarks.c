@@ -76,6 +76,22 @@ static size_t asserted_length(const char *text)
     return digits && isalpha((unsigned char)text[at - 1]) && text[at] == (*text == '(' ? ')' : ']') ? at + 1 : 0;
 }
 
+bool remarks_on_fabric(const char *text)
+{
+    static const char *const fabric[] = {"stockinette", "stocking", "garter", "seed", "moss", "rib", "ribbing", "ridge", "ridges", "welt", "basketweave"},
+                             *const also[] = {"reverse", "stitch", "st", "pattern", "fabric", "section", "this", "is", "the", "it", "a", "makes", "forms", "of", "in", "here", "side"};
+    bool found = false;
+
+    for (size_t n; *text && !words_ends_line(*text); text += n ? n : 1) {
+        n = words_length(text);
+        if (n && words_find(text, fabric, sizeof fabric / sizeof *fabric) >= 0)
+            found = true;
+        else if (n ? words_find(text, also, sizeof also / sizeof *also) < 0 : !strchr(" \t.!,'-", *text))
+            return false;
+    }
+    return found;
+}
+
 size_t remarks_caption(const char *text, char plain[static SIGNS_PLAIN])
 {
     static const char *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "work", "cont", "continue", "cast", "bind", "co", "bo", "turn",

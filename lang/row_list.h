@@ -44,6 +44,7 @@ struct row_list {
 
     struct filler *filler;
     bool fresh;                     /* a filler was added since rows were worked */
+    bool in_turn;                   /* `RS: ..` is one row: a side came again */
     int last_label, first_label;    /* of this part of the pattern */
     int nsetup;                     /* numbered set-up rows */
     int worked_label;               /* of the numbered row worked last */
@@ -65,6 +66,9 @@ static inline void row_list_fail(struct row_list *list)
 
 /* An array of row pointers with room for n. */
 struct row_text **row_list_grown(struct row_list *, struct row_text **, int *room, int n);
+
+/* The text given with a row's own number, or NULL. */
+const struct row_text *row_list_numbered(const struct row_list *, int label);
 
 /* The part so far is kept, to be chosen later. */
 void row_list_keep_part(struct row_list *);

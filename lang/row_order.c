@@ -43,11 +43,21 @@ void row_list_begin_on_side_of(struct row_list *list, const struct row_text *tex
 static struct row_text *filler_for(const struct row_list *list, int label, enum side side)
 {
     for (const struct filler *f = list->filler; f; f = f->next)
-        if ((f->all == ALL_RS && side == SIDE_RS) || (f->all == ALL_WS && side == SIDE_WS) ||
+        if (((f->all == ALL_RS || f->all == ALL_RS_ROW) && side == SIDE_RS) || ((f->all == ALL_WS || f->all == ALL_WS_ROW) && side == SIDE_WS) ||
             (f->all == ALL_EVEN && label % 2 == 0) || (f->all == ALL_ODD && label % 2 == 1) ||
             f->all == ALL_EVERY || (f->all == ALL_FOLLOWING && label >= f->first) || (f->all == ALL_OTHER && label >= f->first && (label - f->first) % 2 == 0))
             return f->text;
     return NULL;
+}
+
+const struct row_text *rows_find(struct row_list *list, int label)
+{
+    const struct row_text *text = row_list_numbered(list, label);
+
+    if (text || label < list->first)
+        return text;
+    find_start(list);
+    return filler_for(list, label, row_list_side(list, list->norder + label - list->first));
 }
 
 /* Appends a row to the order of work; false past the limit. */

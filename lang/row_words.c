@@ -209,7 +209,9 @@ static void put_all(struct writer *w, const struct row_numbers *part, const char
     static const char *const which[] = {[ALL_RS] = "RS", [ALL_WS] = "WS", [ALL_EVEN] = "even", [ALL_ODD] = "odd"};
     const char *noun = says_round(part->span) ? "rnd" : "row";
 
-    if (part->all == ALL_OTHER || part->all == ALL_FOLLOWING)
+    if (part->all >= ALL_RS_ROW)
+        PUT("%s", part->all == ALL_RS_ROW ? "RS" : "WS");
+    else if (part->all == ALL_OTHER || part->all == ALL_FOLLOWING)
         PUT("every %s %s", part->all == ALL_OTHER ? "other" : "following", noun);
     else
         PUT("%s %s %ss", every, which[part->all], noun);

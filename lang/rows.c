@@ -66,7 +66,7 @@ struct row_text **row_list_grown(struct row_list *list, struct row_text **array,
     return larger;
 }
 
-const struct row_text *rows_find(const struct row_list *list, int label)
+const struct row_text *row_list_numbered(const struct row_list *list, int label)
 {
     if (label >= list->first && label < list->first + list->npending && list->pending[label - list->first])
         return list->pending[label - list->first];
@@ -93,7 +93,7 @@ static void begin_again(struct row_list *list, const struct row_text *text)
 {
     if (list->ngiven < list->npending && !list->filler)
         return;
-    if (!list->loose && rows_last_number(list) < 2 && !stand_apart(rows_find(list, 1)->span, text->head))
+    if (!list->loose && rows_last_number(list) < 2 && !stand_apart(row_list_numbered(list, 1)->span, text->head))
         return;
     if (!list->loose && !list->describes) {
         diag_warning(list->diag, CODE_SECOND_PART, text->head,
@@ -154,12 +154,12 @@ static void add_at(struct row_list *list, struct row_text *text, int label)
 
     if (!list->npending && label > list->first && label == list->norder - rows_before_first(list) + (list->last_label ? list->first_label : 1))
         count_on(list, label);
-    if (label == 1 && rows_find(list, 1))
+    if (label == 1 && row_list_numbered(list, 1))
         begin_again(list, text);
     list->loose = false;
     at = label - list->first;
     if (at < 0 || (at < list->npending && list->pending[at])) {
-        const struct row_text *other = rows_find(list, label);
+        const struct row_text *other = row_list_numbered(list, label);
 
         diag_error(list->diag, CODE_ROW_NUMBER, text->head, "row %d is written twice", label);
         if (other)
@@ -202,13 +202,25 @@ void rows_add(struct row_list *list, struct row_text *text, int label)
         add_at(list, text, label);
 }
 
-void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, int first)
+/* The side that all rows of a kind are of. */
+static enum side side_of(enum all_kind all)
+{
+    return all == ALL_RS || all == ALL_RS_ROW ? SIDE_RS : all == ALL_WS || all == ALL_WS_ROW ? SIDE_WS : SIDE_OPEN;
+}
+
+/* `RS: ..`, which may be a single row. */
+static bool may_be_one(enum all_kind all)
+{
+    return all == ALL_RS_ROW || all == ALL_WS_ROW;
+}
+
+static void fill(struct row_list *list, struct row_text *text, enum all_kind all, int first)
 {
     struct filler *filler = arena_new(list->arena, struct filler), **last = &list->filler;
 
-    for (const struct filler *f = list->filler; f && (all == ALL_RS || all == ALL_WS); f = f->next)
-        if (f->all == all && !list->failed) {
-            diag_error(list->diag, CODE_ROW_NUMBER, text->head, "the %s rows are given twice", all == ALL_RS ? "RS" : "WS");
+    for (const struct filler *f = list->filler; f && side_of(all); f = f->next)
+        if (side_of(f->all) == side_of(all) && !list->failed) {
+            diag_error(list->diag, CODE_ROW_NUMBER, text->head, "the %s rows are given twice", side_of(all) == SIDE_RS ? "RS" : "WS");
             diag_note(list->diag, f->text->head, "here already");
             diag_hint(list->diag, "number rows that follow each other: `Row 1 (RS): ...`, `Row 2 (WS): ...`");
             row_list_fail(list);
@@ -221,4 +233,48 @@ void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, 
     list->round |= text->round;
     list->flat |= !text->round;
     list->span = text->head;
+}
+
+/* ---- rows named by their sides ---- */
+
+/* Whether a side comes again of `RS: ..`, `WS: ..`, and nothing else stands for several rows. */
+static bool comes_again(const struct row_list *list, enum all_kind all)
+{
+    bool again = false;
+
+    for (const struct filler *f = list->filler; f; f = f->next) {
+        if (!may_be_one(f->all))
+            return false;
+        again |= f->all == all;
+    }
+    return again && !list->npending;
+}
+
+/* One behind a repeat begins a part of its own. */
+static void add_in_turn(struct row_list *list, struct row_text *text, enum all_kind all)
+{
+    text->side = side_of(all);
+    rows_add(list, text, list->loose ? 1 : rows_last_number(list) + 1);
+}
+
+/* `RS: ..`, `WS: ..`, `RS: ..`: rows that follow each other, also those before that are not worked yet. */
+static void take_turns(struct row_list *list)
+{
+    const struct filler *filler = list->filler;
+
+    list->in_turn = true;
+    list->filler = NULL;
+    for (; filler && list->fresh; filler = filler->next)
+        add_in_turn(list, filler->text, filler->all);
+    list->fresh = false;
+}
+
+void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, int first)
+{
+    if (may_be_one(all) && !list->in_turn && comes_again(list, all))
+        take_turns(list);
+    if (may_be_one(all) && list->in_turn)
+        add_in_turn(list, text, all);
+    else
+        fill(list, text, all, first);
 }

@@ -98,8 +98,8 @@ void rows_add_setup(struct row_list *, struct row_text *, int label);
 /* `all WS rows`: the text of every row of a kind that has none of its own. */
 void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first);
 
-/* The text of a row already given, or NULL. */
-const struct row_text *rows_find(const struct row_list *, int label);
+/* The text of a row already given, by its number or with all rows of its kind; or NULL. */
+const struct row_text *rows_find(struct row_list *, int label);
 
 /* Rows to be worked again. */
 struct row_texts {

@@ -12,6 +12,7 @@
 
 #include "lang/prose.h"
 #include "lang/remarks.h"
+#include "lang/row_phrases.h"
 #include "lang/words.h"
 
 /* ---- numbers in letters ---- */
@@ -257,17 +258,23 @@ static bool row_begins(const char *text, size_t at)
     return memchr(text + line, ':', at - line) && words_find(text + line, rows, 6) >= 0 && words_find(text + before, leads, sizeof leads / sizeof *leads) < 0;
 }
 
-/* The dash of `k5 - border`, with its remark: up to a mark or the line's end. */
+/* The dash of `k5 - border`, with its remark up to a mark; of `purl - reverse stockinette`, up to the line's end. */
 static size_t dash_remark_length(const char *text, size_t at)
 {
-    size_t dash = text[at] == '-' ? 1 : 3, length;
+    static const char *const dashes[] = {"- ", "-- ", "\xE2\x80\x93 ", "\xE2\x80\x94 "};
+    size_t dash = 0, length, before = at, line;
 
-    if (at == 0 || text[at - 1] != ' ' || (strncmp(text + at, "- ", 2) != 0 && strncmp(text + at, "\xE2\x80\x93 ", 4) != 0 && strncmp(text + at, "\xE2\x80\x94 ", 4) != 0))
+    for (int i = 0; i < 4; i++)
+        dash = strncmp(text + at, dashes[i], strlen(dashes[i])) == 0 ? strlen(dashes[i]) - 1 : dash;
+    if (at == 0 || text[at - 1] != ' ' || !dash)
         return 0;
     length = dash + 1 + strcspn(text + at + dash + 1, ",;:.()[]*\r\n");
-    while (at > 0 && text[at - 1] == ' ')
-        at--;
-    return at > 0 && isdigit((unsigned char)text[at - 1]) && remarks_are(text + at + dash + 1, length - dash - 1) ? length : 0;
+    while (before > 0 && text[before - 1] == ' ')
+        before--;
+    if (before > 0 && isdigit((unsigned char)text[before - 1]))
+        return remarks_are(text + at + dash + 1, length - dash - 1) ? length : 0;
+    line = words_line_start(text, at);
+    return memchr(text + line, ':', before - line) && remarks_on_fabric(text + at + dash) ? words_line_length(text + at) : 0;
 }
 
 /* The sign between stitches of `p2/k6/p2`. */
@@ -531,6 +538,9 @@ static const struct sign {
     {"sSaAlLrRwWdDiI", true, .says = previous_length},
     {"kKpP", true, .says = dashed_length},
     {"(", false, .is = is_side_between, 4, ""},
+    {"(", false, .says = row_phrases_star},
+    {"aA", true, .says = row_phrases_alternate},
+    {"kKpP", true, .says = row_phrases_sided},
     {"\t", false, .skips = remarks_column},
     {"p", true, .is = is_plain_row, 5, "knit"},
     {"([rRwW", true, .says = side_head_length},

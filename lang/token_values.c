@@ -331,6 +331,13 @@ void scanner_all(KNIT_STYPE *value, const char *text)
     }
 }
 
+/* "RS:", "wrong side row:". */
+void scanner_side_row(KNIT_STYPE *value, const char *text)
+{
+    value->all.round = false;
+    value->all.kind = tolower((unsigned char)*text) == 'r' ? ALL_RS_ROW : ALL_WS_ROW;
+}
+
 void scanner_measure(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *phrase)
 {
     double length = lengths_wanted(phrase, &value->measure.part), rows;

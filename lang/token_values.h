@@ -24,6 +24,7 @@ void scanner_round(KNIT_STYPE *, const char *text);
 void scanner_side(KNIT_STYPE *, const char *text);
 void scanner_starting(KNIT_STYPE *, const char *text);
 void scanner_all(KNIT_STYPE *, const char *text);
+void scanner_side_row(KNIT_STYPE *, const char *text);
 void scanner_following(KNIT_STYPE *, const char *text);
 /* `Repeat sections A and B`: reports it; text. */
 int scanner_section(struct scanner *, struct span);

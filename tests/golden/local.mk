@@ -33,7 +33,7 @@ endif
 EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/grammar.txt \
     tests/golden/cases.awk tests/golden/books.txt \
-    tests/golden/web.txt \
+    tests/golden/web.txt tests/golden/ways.txt \
     tests/golden/stitches.txt \
     tests/golden/binary_file.knit \
     tests/golden/blocks.knit \

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The tables of the language, grammar.txt, books.txt and web.txt: each case to its grid or its message, and
+# The tables of the language, grammar.txt, books.txt, web.txt and ways.txt: each case to its grid or its message, and
 # to the same grid in the canonical layout, which is that of itself.
 . "${WEFT_SOURCE:-.}/tests/tap.sh"
 . "$WEFT_SOURCE/tests/golden/dump.sh"
@@ -8,7 +8,7 @@
 # A script for each case, and what is expected of all.
 mkdir "$work/case"
 awk -v folder="$work/case/" -v wanted="$work/wanted" -f "$WEFT_SOURCE/tests/golden/cases.awk" \
-    "$WEFT_SOURCE/tests/golden/grammar.txt" "$WEFT_SOURCE/tests/golden/books.txt" "$WEFT_SOURCE/tests/golden/web.txt"
+    "$WEFT_SOURCE/tests/golden/grammar.txt" "$WEFT_SOURCE/tests/golden/books.txt" "$WEFT_SOURCE/tests/golden/web.txt" "$WEFT_SOURCE/tests/golden/ways.txt"
 
 # What each comes to.
 for file in "$work"/case/*.knit; do
