@@ -98,7 +98,7 @@ const struct phrase turns_of_pages[] = {
     {"< =work|knit|purl|k|p the? next =# =rows|rounds|rnds", ""},
     {"< =knit|purl|k|p the first =# =rows|rounds|rnds =.|,|;", ""},
     {"^ the? first =# =rows|rounds|rnds =:", "next"},
-    {"^ the? first =# =rows|rounds|rnds =form|forms|make|makes|set|sets|are|create|complete|establish", "these"},
+    {"^ the? first # rows|rounds|rnds =form|make|set|create|complete|establish", "rows 1 to #"},
     {"> for|on|in the? =# =st|nd|rd|th =row|round|rnd", ""},
     {"< next =# =rows|rounds|rnds :|,? work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work"},
     {"< next row|round|rnd (? rs|ws? )? :|, work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work 1 row"},

@@ -21,7 +21,7 @@ done
 # Every case of the language's tables.
 mkdir -p "$1/case"
 awk -v folder="$1/case/" -v wanted="$1/wanted" -f "$source/tests/golden/cases.awk" \
-    "$source/tests/golden/grammar.txt" "$source/tests/golden/books.txt" "$source/tests/golden/web.txt"
+    "$source/tests/golden/grammar.txt" "$source/tests/golden/books.txt" "$source/tests/golden/web.txt" "$source/tests/golden/ways.txt"
 for file in "$1"/case/*.knit; do
     cp "$file" "$1/script/case-$(basename "$file" .knit)"
     cp "$file" "$1/format/case-$(basename "$file" .knit)"
