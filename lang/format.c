@@ -535,13 +535,14 @@ struct laid_out {
 static struct laid_out lay_out(struct arena *arena, struct diag *diag, const struct source *source)
 {
     struct names names = {.arena = arena};
-    struct stmt *file = parse_file(arena, diag, &names, source);
+    struct parse parse = parse_read(arena, diag, &names, source);
+    struct stmt *file = parse_statements(&parse);
     struct format f = {.arena = arena, .source = source, .out = layout_new(arena)};
     struct laid_out all = {0};
 
     if (diag->nerrors)
         return all;
-    f.tokens = tokens_read(arena, &names, source);
+    f.tokens = tokens_read(&parse);
     for (int i = 0; i < f.tokens.n; i++)
         all.comments += f.tokens.at[i].kind == TOKEN_COMMENT;
     collect(file, NULL, &all.n);

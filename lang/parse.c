@@ -235,8 +235,11 @@ size_t source_blank(const char *text)
     return *text && strchr(" \t\f\v", *text) ? 1 : 0;
 }
 
-const char *source_plain(struct arena *arena, const struct source *source, struct named *named)
+/* The text with every kind of blank as a plain one and its words put plainly, byte for byte at its place. */
+static const char *plain_text(struct parse *parse)
 {
+    struct arena *arena = parse->arena;
+    const struct source *source = parse->source;
     const char *plain;
     char *text = NULL;
 
@@ -250,17 +253,22 @@ const char *source_plain(struct arena *arena, const struct source *source, struc
         at += strlen(spelling->text) - 1;
         text[at] = spelling->plain;
     }
-    if (!words_are_page(source->text, source->size))
+    if (!words_are_page(source->text, source->size)) {
+        parse->joined = wording_is_joined(source->text);
         return text ? text : source->text;
+    }
     plain = marks_plain(arena, text ? text : source->text, source->size);
-    plain = named_plain(arena, joined_plain(arena, plain, source->size), source->size, named);
-    return wording_plain(arena, plain, source->size);
+    plain = named_plain(arena, joined_plain(arena, plain, source->size), source->size, &parse->named);
+    return wording_plain(arena, plain, source->size, &parse->joined);
 }
 
-const char *source_read_as(struct arena *arena, const struct source *source, const struct page_chart *chart, struct named *named)
+/* The same where a page's chart is, whose lines stay. */
+static const char *read_as(struct parse *parse)
 {
-    const char *plain = source_plain(arena, source, named);
-    char *text = chart ? arena_copy(arena, plain, source->size) : NULL;
+    const struct source *source = parse->source;
+    const struct page_chart *chart = parse->chart;
+    const char *plain = plain_text(parse);
+    char *text = chart ? arena_copy(parse->arena, plain, source->size) : NULL;
 
     for (int i = 0; chart && i < chart->lines; i++) {
         unsigned start = chart->line[i].start - (chart->line[i].start > 0), end = chart->line[i].end + (chart->line[i].end < source->size);
@@ -284,22 +292,35 @@ static void append_chart(struct parse *parse)
     *last = stmt;
 }
 
-struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names,
-                        const struct source *source)
+struct parse parse_read(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
 {
     struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
-    struct scanner scanner = {.parse = &parse, .at = source_start(source), .start = TOKEN_START_FILE};
 
-    if (!is_script(diag, source, source->text + scanner.at))
-        return NULL;
+    if (!is_script(diag, source, source->text + source_start(source)))
+        return parse;
     parse.chart = page_chart_find(arena, source);
-    parse.text = source_read_as(arena, source, parse.chart, &parse.named);
+    parse.text = read_as(&parse);
     parse.page = prose_is_page(source->text, source->size);
-    parse.joined = wording_is_joined(source->text);
-    parse.scanner = &scanner;
+    return parse;
+}
+
+struct stmt *parse_statements(struct parse *parse)
+{
+    struct scanner scanner = {.parse = parse, .at = source_start(parse->source), .start = TOKEN_START_FILE};
+
+    if (!parse->text)
+        return NULL;
+    parse->scanner = &scanner;
     scanner_parse(&scanner);
-    append_chart(&parse);
-    return parse.file;
+    append_chart(parse);
+    return parse->file;
+}
+
+struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
+{
+    struct parse parse = parse_read(arena, diag, names, source);
+
+    return parse_statements(&parse);
 }
 
 struct expr *parse_expression(struct arena *arena, struct diag *diag, struct names *names,

@@ -15,7 +15,7 @@ struct parse {
     struct diag         *diag;
     struct names        *names;
     const struct source *source;
-    const char          *text;          /* the source's, byte for byte, with every kind of blank as one */
+    const char          *text;          /* the source's, byte for byte, its blanks and turns of phrase put plainly */
     struct stmt         *file;          /* the result: statements, */
     struct expr         *expression;    /* or the value of an option */
     struct scanner      *scanner;
@@ -29,17 +29,15 @@ struct parse {
     bool                 too_deep;      /* an expression was: it is said once */
 };
 
+/* A text as it is read, nothing of it parsed yet; its `text` is NULL, with an error in diag, where it is no script. */
+struct parse parse_read(struct arena *, struct diag *, struct names *, const struct source *);
+
 /* Statements of a whole script; NULL also for one without any. Errors are in diag. */
+struct stmt *parse_statements(struct parse *);
 struct stmt *parse_file(struct arena *, struct diag *, struct names *, const struct source *);
 
 /* The expression at byte `start` of a text and to its end; never NULL. */
 struct expr *parse_expression(struct arena *, struct diag *, struct names *, const struct source *, unsigned start);
-
-/* The text with every kind of blank as a plain one, byte for byte at its place, and the names that it mentions. */
-const char *source_plain(struct arena *, const struct source *, struct named *);
-
-/* The same where a page's chart is, whose lines stay. */
-const char *source_read_as(struct arena *, const struct source *, const struct page_chart *, struct named *);
 
 /* Bytes of the blank a text begins with, a no-break or other space of a page among them; 0: none. */
 size_t source_blank(const char *text);

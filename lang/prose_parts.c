@@ -183,7 +183,7 @@ bool prose_stitches_follow(const char *text)
     next = words_skip_blanks(text + words_length(text));
     if (words_find(text, same, 3) >= 0)
         return (words_are_rows(next) && !says_how_often(next)) || (isdigit((unsigned char)*next) && prose_line_ends(next + strspn(next, "0123456789")));
-    if (words_find(text, stitch, 4) < 0 && !(strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
+    if (words_find(text, stitch, 4) < 0 && !(*text && strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
         return false;
     if ((words_is(next, "every") || words_is(next, "each")) && words_are_stitches(words_skip_blanks(next + words_length(next))))
         return true;

@@ -170,16 +170,16 @@ static void take(void *context, int kind, struct span span)
     reader->end = span.end;
 }
 
-struct tokens tokens_read(struct arena *arena, struct names *names, const struct source *source)
+struct tokens tokens_read(const struct parse *parsed)
 {
     struct diag diag;
-    struct parse parse = {.arena = arena, .diag = &diag, .names = names, .source = source, .chart = page_chart_find(arena, source)};
-    struct scanner scanner = {.parse = &parse, .at = source_start(source), .start = TOKEN_START_FILE};
-    struct reader reader = {.arena = arena, .source = source, .end = scanner.at, .first = true};
+    struct parse parse = *parsed;
+    struct scanner scanner = {.parse = &parse, .at = source_start(parse.source), .start = TOKEN_START_FILE};
+    struct reader reader = {.arena = parse.arena, .source = parse.source, .plain = parse.text, .end = scanner.at, .first = true};
 
-    diag_init(&diag, arena);
-    parse.text = reader.plain = source_read_as(arena, source, parse.chart, &parse.named);
-    parse.page = prose_is_page(source->text, source->size);
+    diag_init(&diag, parse.arena);
+    parse.diag = &diag;
+    parse.ribs = (struct ribs){0};
     parse.scanner = &scanner;
     scanner_tokens(&scanner, take, &reader);
     return reader.list;

@@ -4,7 +4,7 @@
 #ifndef WEFT_TOKENS_H
 #define WEFT_TOKENS_H
 
-#include "lang/names.h"
+#include "lang/parse.h"
 #include "lang/parser.h"
 
 enum { TOKEN_COMMENT = -1 };
@@ -24,8 +24,8 @@ struct tokens {
     struct token *at;       /* (n), the last is TOKEN_END */
 };
 
-/* Of a text that parse_file took without an error. */
-struct tokens tokens_read(struct arena *, struct names *, const struct source *);
+/* Of a text that parse_statements took without an error. */
+struct tokens tokens_read(const struct parse *);
 
 /* The first token that begins at a byte or behind it. */
 int tokens_find(const struct tokens *, unsigned start);

@@ -497,7 +497,7 @@ static void put_rounds(struct wording *w)
     }
 }
 
-const char *wording_plain(struct arena *arena, const char *text, size_t size)
+const char *wording_plain(struct arena *arena, const char *text, size_t size, bool *joined)
 {
     struct wording w = {.arena = arena, .text = text, .size = size};
     struct phrases *phrases = phrases_read(arena, turns_of_pages, turns_of_pages_number), *printed = phrases_read(arena, turns_of_books, turns_of_books_number);
@@ -505,7 +505,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size)
     int depth = 0;
 
     put_printed(&w);
-    if (wording_is_joined(w.text))
+    *joined = wording_is_joined(w.text);
+    if (*joined)
         put_rounds(&w);
     w.sizes = cast_on_sizes(w.text, &w.nsizes);
     for (size_t at = 0; at < size;) {
