@@ -89,6 +89,21 @@ char *arena_vprintf(struct arena *arena, const char *format, va_list arguments)
     return text;
 }
 
+/* A block in a chunk of its own is given back; any other stays until the end. */
+static void give_back(struct arena *arena, const void *block)
+{
+    struct arena_chunk **at = &arena->chunk, *chunk;
+
+    while (*at && (const void *)(*at)->memory != block)
+        at = &(*at)->older;
+    chunk = *at;
+    if (!chunk || at == &arena->chunk)
+        return;
+    *at = chunk->older;
+    arena->bytes -= chunk->size;
+    free(chunk);
+}
+
 void *arena_larger(struct arena *arena, const void *array, int *room, size_t size)
 {
     int more = *room ? 2 * *room : 16;
@@ -96,6 +111,8 @@ void *arena_larger(struct arena *arena, const void *array, int *room, size_t siz
 
     if (*room)
         memcpy(larger, array, (size_t)*room * size);
+    if (*room * size > CHUNK)
+        give_back(arena, array);
     *room = more;
     return larger;
 }

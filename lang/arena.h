@@ -11,7 +11,7 @@ struct arena_chunk;
 
 struct arena {
     struct arena_chunk *chunk;      /* the newest; older ones hang behind it */
-    size_t              bytes;      /* handed out so far */
+    size_t              bytes;      /* handed out */
 };
 
 /* Zeroed memory, aligned for any type.  Never NULL: out of memory ends the
@@ -22,7 +22,7 @@ void *arena_calloc(struct arena *, size_t count, size_t size);
 #define arena_new(arena, type) ((type *)arena_alloc((arena), sizeof(type)))
 #define arena_array(arena, type, count) ((type *)arena_calloc((arena), (count), sizeof(type)))
 
-/* A copy of an array of `room` elements with room for more, which `room` is then. */
+/* An array of `room` elements, in place of it with room for more, which `room` is then. */
 void *arena_larger(struct arena *, const void *array, int *room, size_t size);
 
 /* NUL-terminated copies. */

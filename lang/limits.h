@@ -10,7 +10,8 @@ enum {
     LIMIT_LINE         = 1000 * 1000,           /* bytes of one line */
     LIMIT_AGAIN        = 50,                    /* times that a script's bytes are read again, and a line's worth of it */
     LIMIT_AGAIN_ALL    = 100 * 1000 * 1000,     /* bytes read again of any script, beside four times its own */
-    LIMIT_TEXTS        = 20 * 1000,             /* lines of text between the rows */
+    LIMIT_TEXTS        = 20 * 1000,             /* lines of text between the rows, */
+    LIMIT_TEXT         = 100,                   /* of so many bytes each; a longer one is several */
     LIMIT_STATEMENTS   = 120 * 1000,            /* begun in one file; more rows than may be worked */
     LIMIT_NESTING      = 100,                   /* brackets and blocks within each other */
     LIMIT_DEPTH        = 500,                   /* operators and calls within each other in one expression */

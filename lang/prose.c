@@ -4,6 +4,7 @@
 #include "lang/prose.h"
 
 #include <ctype.h>
+#include <limits.h>
 #include <string.h>
 #include <strings.h>
 
@@ -29,12 +30,16 @@ static const char *next_line(const char *text)
 static bool line_has(const char *text, const char *characters)
 {
     size_t n = words_line_within(text, WORDS_LINE);
+    bool wanted[UCHAR_MAX + 1] = {false};
+
+    for (; *characters; characters++)
+        wanted[(unsigned char)*characters] = true;
 
     /* `**` makes letters bold. */
     for (size_t i = 0; i < n; i++)
         if (text[i] == '*' && text[i + 1] == '*')
             i++;
-        else if (strchr(characters, text[i]))
+        else if (wanted[(unsigned char)text[i]])
             return true;
     return false;
 }

@@ -69,7 +69,8 @@ int scanner_token(struct scanner *scanner, int kind)
 {
     scanner->comma = false;
     scanner->previous = kind;
-    scanner->texts += kind == TOKEN_PROSE;
+    scanner->texts += kind == TOKEN_PROSE ? 1 + (int)(scanner->at - scanner->token_end) / LIMIT_TEXT : 0;
+    scanner->token_end = scanner->at;
     scanner->lines += kind == TOKEN_NEWLINE;
     scanner->multiple = kind == TOKEN_MULTIPLE_OF || kind == TOKEN_NUMBER_OF || (scanner->multiple && kind != TOKEN_ROW && kind != TOKEN_BARE_ROW);
     if (kind == TOKEN_NEWLINE || kind == TOKEN_END || (kind == '}' && !scanner->hole)) {

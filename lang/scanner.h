@@ -33,7 +33,8 @@ struct scanner {
     struct words_line line;         /* that is read */
     int           start;            /* the token that comes before all others */
     int           statement;        /* the token that began this statement */
-    int           previous;         /* the token before this one */
+    int           previous;         /* the token before this one, */
+    unsigned      token_end;        /* and where it ended */
     bool          comma;            /* a row's text ended with one */
     bool          star;             /* a row's star is open */
     bool          star_left;        /* and was when the row ended */
