@@ -115,6 +115,9 @@ const struct phrase turns_of_pages[] = {
 
     {"=work|knit|purl|k|p an|a? further|another|additional|extra =# =rows|rounds|rnds", ""},
     {"until|till # rows|rounds|rnds worked|done|completed|knitted|made", "until # rows"},
+    {"=rows|rounds|rnds =in =rib|ribbing|pat|patt|pattern as est|est.|established|set|before", ""},
+    {"< for|to a|my|the|make? a|the? sample|swatch|example , =cast|co", ""},
+    {"< for|to a|my|the|make? a|the? sample|swatch|example ,? i|we? =cast|co", ""},
     {"another =# =rows|rounds|rnds =of|in =garter|g|seed|moss|stockinette|stocking|rev|reverse|k", ""},
 
     /* other spellings */
@@ -167,7 +170,7 @@ const struct phrase turns_of_pages[] = {
      "for a total of # times"},
     {"=#|rows|rounds|rnds until|till there|you? are|have? # complete|completed|full|pattern|patt? patterns|patts|pattern|repeats|reps|repetitions are|is|have|has? been? completed|worked|done|complete|made|knitted? in? total|all|altogether?",
      "# times in all"},
-    {"=#|rows|rounds|rnds until|till # rows|rounds|rnds of|in the|this? pattern|patt|pat have|has|are|is been? worked|completed?|done|knitted?", "for a total of # rows"},
+    {"=#|rows|rounds|rnds until|till # rows|rounds|rnds of|in the|this? pattern|patt|pat|rib|ribbing|garter|stocking|stockinette|st|moss|seed|g -? st|stitch? have|has|are|is been? worked|completed?|done|knitted?", "for a total of # rows"},
     {"=st|stitch|rib|ribbing|row|rows|rounds|rnds ,|; and? then? proceed|continue|cont|work|begin in? the? main|body? pattern|patt|pat? as follows|below :", "."},
     {"=row|rows|round|rounds|rnd|rnds =# =to|through|- row|round|rnd =#", ""},
     {"^ =repeat|rep from the? beginning|start of? the? pattern|patt? =#|twice|once|until|for", "from row 1"},
