@@ -521,9 +521,10 @@ static bool run_cast_on(struct eval *eval, struct where where, const struct stmt
                    !body->top      ? "a motif is not cast on; its width is its multiple's"
                    : body->cast_on ? "the stitches are cast on already"
                                    : "the cast-on comes before the first row");
-        if (body->cast_on)
-            diag_note(eval->diag, body->cast_on_span, "here"), diag_hint(eval->diag, "a file for each piece");
-        else if (body->top)
+        if (body->cast_on) {
+            diag_note(eval->diag, body->cast_on_span, "here");
+            diag_hint(eval->diag, "another piece begins here: put it into a file of its own");
+        } else if (body->top)
             diag_hint(eval->diag, "write the cast-on above all rows, and below it the rows in the order they are worked");
         return false;
     }

@@ -22,7 +22,8 @@ static const char *const of_text[] = {
     "notion", "pattern note", "published", "row gauge", "shown in", "size", "skill level", "source", "special abbreviation",
     "special stitche", "stitch count", "stitch gauge", "stitch glossary", "stitch guide", "stitch key", "stitch multiple", "stitch pattern",
     "stitche", "supplie", "swatch", "technique", "tension", "term", "tip", "tool", "uses", "what you need", "what you will need", "yarn",
-    "you need", "you will need",
+    "abbreviations used", "material list", "materials list", "materials needed", "stitches used", "supplies needed", "supply list", "techniques used",
+    "what you'll need", "you'll need", "you need", "you will need",
 };
 
 /* The bytes of a phrase that a text begins with, blanks of any kind between its words; 0: it does not. */

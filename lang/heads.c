@@ -32,7 +32,7 @@ static size_t title_length(const char *text)
     for (; words < 6 && text[at] != ':'; at += strspn(text + at, " .&,-#'")) {
         size_t n = strspn(text + at, "0123456789"), letters = words_length(text + at + n);
 
-        if (n + letters == 0 || prose_row_word(text + at + n) || words_find(text + at, text_of, sizeof text_of / sizeof *text_of) >= 0)
+        if (n + letters == 0 || (prose_row_word(text + at + n) && !(at && words_is(text + at, "stitch"))) || words_find(text + at, text_of, sizeof text_of / sizeof *text_of) >= 0)
             return 0;
         at += n + letters;
         digits = letters ? 0 : n;
@@ -242,12 +242,15 @@ static size_t signs_of_heading(const char *text)
 
 size_t heads_cast_on(const char *text)
 {
+    static const char *const what[] = {"stitches", "sts", "instructions"};
     size_t bold = strspn(text, "*"), on = bold + words_length(text + bold), end, next;
 
     on += strspn(text + on, " -");
     if (!words_is(text + bold, "cast") || !words_is(text + on, "on"))
         return 0;
-    end = on + 2 + strspn(text + on + 2, ":* \t");
+    on += 2 + strspn(text + on + 2, " \t");
+    on += isupper((unsigned char)text[on]) && words_find(text + on, what, 3) >= 0 ? words_length(text + on) : 0;
+    end = on + strspn(text + on, ":* \t");
     next = end + strspn(text + end, "\r\n \t");
     if (!text[end] || !strchr("\r\n", text[end]))
         return 0;

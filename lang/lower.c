@@ -2,6 +2,7 @@
  * The items of a row in, what is worked with all its numbers known out. */
 #include "lang/lower.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -63,6 +64,7 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
     case UNTIL_END:
         /* `*k2, p2; rep from * to end, k1`: as far as leaves room for k1. */
         work->until = item->kind > ITEM_STITCH && item->next ? WORK_FIT : WORK_LAST;
+        work->unmarked = item->kind == ITEM_REP_FROM && isalpha((unsigned char)where.module->source->text[item->start]);
         work->n = 0;
         return true;
     default:

@@ -3,6 +3,7 @@
  * syntax tree does not know of them would be lost. */
 #include "lang/own_words.h"
 
+#include <ctype.h>
 #include <string.h>
 
 /* Words that are read over: before and behind a cast-on (`using 4 mm needles`), in a row's head (`(decrease row)`). */
@@ -24,6 +25,14 @@ static bool has_skipped_words(const struct token *first, const struct token *end
     return !row && end[-1].tail.source;
 }
 
+/* `k1, p1 to end` is a whole row, whose last time may stop short. */
+static bool is_unmarked(const struct row *row)
+{
+    const struct item *item = row->item;
+
+    return item->kind == ITEM_REP_FROM && !item->next && item->more->until.kind == UNTIL_END && isalpha((unsigned char)row->head.source->text[item->start]);
+}
+
 /* What pages write in words of their own. */
 static bool has_own_words(const struct token *first, const struct token *end, const struct stmt *stmt)
 {
@@ -43,6 +52,8 @@ static bool has_own_words(const struct token *first, const struct token *end, co
     for (const struct row_numbers *part = row ? row->numbers : NULL; part; part = part->next)
         if (part->all == ALL_EVERY)
             return true;
+    if (row && row->item && is_unmarked(row))
+        return true;
     if ((row && (row->setup || (row->numbers && row->starting))) || (stmt->kind == STMT_AGAIN && (stmt->again.from || stmt->again.onwards)))
         return true;
     return row && row->reference && (row->times || row->reference->next || row->reference->last || row->reference->all);

@@ -292,7 +292,7 @@ static bool is_shouted(const char *text, size_t n)
     return n > 2 && words_find(text, work, sizeof work / sizeof *work) < 0 && !words_are_rows(text) && !is_nearly_statement(text);
 }
 
-/* `Ribbing` alone above a row. */
+/* `Ribbing`, alone on a line. */
 static bool is_heading(const char *text)
 {
     static const char *const rows[] = {"set", "setup", "foundation", "next", "all", "every"};
@@ -301,7 +301,7 @@ static bool is_heading(const char *text)
     if (is_numbered_heading(text) || (is_shouted(text, n) && prose_line_ends(text + n)))
         return true;
     return n > 2 && isupper((unsigned char)*text) && prose_line_ends(text + n) && !is_nearly_statement(text) && !words_are_rows(text) &&
-           (prose_statement_follows(next_line(text)) || words_find(next_line(text), rows, sizeof rows / sizeof *rows) >= 0);
+           (!prose_fabric_follows(text) || prose_statement_follows(next_line(text)) || words_find(next_line(text), rows, sizeof rows / sizeof *rows) >= 0);
 }
 
 /* `8 row scarf`, the row in the singular before a name. */
@@ -342,6 +342,20 @@ static bool is_copyright(const char *text)
     const char *behind = words_skip_blanks(text + sign);
 
     return sign && (words_length(behind) > 1 || strspn(behind, "0123456789") == 4 || strncasecmp(behind, "(c)", 3) == 0);
+}
+
+/* `YF = yarn forward`: two words behind an abbreviation, which are no value. */
+static bool is_explained(const char *text)
+{
+    static const char *const value[] = {"in", "mod", "by", "each"};
+    size_t sign = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/&-");
+    const char *meaning = words_skip_blanks(text + sign), *second;
+
+    if (!sign || *meaning != '=' || meaning[1] == '=' || line_has(text, "{}"))
+        return false;
+    meaning = words_skip_blanks(meaning + 1);
+    second = words_skip_blanks(meaning + words_length(meaning));
+    return words_length(meaning) > 0 && second > meaning + words_length(meaning) && isalnum((unsigned char)*second) && words_find(meaning, value, 4) < 0 && words_find(second, value, 4) < 0;
 }
 
 /* ---- in the scanner ---- */
@@ -487,6 +501,8 @@ static bool is_worked(const char *text)
 
     if (words_find(text, again, 2) >= 0)
         return prose_repeats_rows(behind) && words_line_length(text) > 0;
+    if (words_is(text, "work") && words_is(behind, "these") && words_are_rows(words_skip_blanks(behind + 5)))
+        return true;
     return prose_pattern_follows(text) || (words_find(text, work, 5) >= 0 && prose_rows_follow(behind));
 }
 
@@ -509,7 +525,7 @@ size_t prose_length(const struct scanner *scanner, const char *text)
 }
 
 /* `Now K 3, P 12, K 3 on the wrong side`, `Rib 2 and 2 for 6 rows`, `Change to stocking-stitch`, `Repeat from ** to **`:
- * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again. */
+ * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again, so many times. */
 static bool asks_for_work(const char *text, size_t length)
 {
     static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const rib[] = {"rib", "work", "knit", "purl", "k", "p"},
@@ -518,17 +534,21 @@ static bool asks_for_work(const char *text, size_t length)
                              *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
     int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
     bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
+    bool heading = length > 0 && text[length - 1] == ':' && prose_heads_rows(text, text + length);
 
     if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0)
         return false;
     for (size_t i = 0; i < length; i++) {
         const char *behind = words_skip_blanks(text + i + words_length(text + i));
 
-        if ((i > 0 && isalnum((unsigned char)text[i - 1])) || !isalpha((unsigned char)text[i]))
+        if (i > 0 && isalnum((unsigned char)text[i - 1]))
+            continue;
+        asks |= first >= 0 && prose_times_follow(text + i);
+        if (!isalpha((unsigned char)text[i]))
             continue;
         stitches += words_find(text + i, stitch, 4) >= 0 && isdigit((unsigned char)*behind) && !isalpha((unsigned char)behind[strspn(behind, "0123456789")]);
         asks |= words_find(text + i, rib, 6) >= 0 && prose_rows_follow(behind);
-        asks |= first >= 3 && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
+        asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
     return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
 }
@@ -582,7 +602,7 @@ bool scanner_prose(struct scanner *scanner)
     int lines;
 
     scanner_looks_on(scanner);
-    if (is_copyright(text) || (parse->page && is_rule(text)))
+    if (is_copyright(text) || (parse->page && is_rule(text)) || is_explained(text))
         return true;
     if (again && !prose_reads(text, false))
         return false;

@@ -43,6 +43,8 @@ bool prose_has_cast_on(const char *text)
     static const char *const multiple[] = {"multiple", "mult", "odd", "even", "any", "number"};
     const char *behind = words_behind_number(text = words_skip_blanks(text));
 
+    if (words_is(text, "more") || words_is(text, "fewer"))
+        return false;
     if (!behind)
         return words_find(words_skip_blanks(text + words_length(text)), multiple, sizeof multiple / sizeof *multiple) >= 0;
     behind = words_skip_blanks(behind);
@@ -50,6 +52,17 @@ bool prose_has_cast_on(const char *text)
         return true;
     behind += strcspn(behind, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.\r\n");
     return words_are_stitches(behind);
+}
+
+/* `until 2 sts remain`, `until the end`. */
+static bool stitches_are_meant(const char *text)
+{
+    static const char *const word[] = {"st", "sts", "stitch", "stitches", "end", "last", "marker", "m", "row", "round", "rnd"};
+
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+        if (words_line_has(text, word[i]))
+            return !words_line_has(text, "rows") && !words_line_has(text, "rounds") && !words_line_has(text, "yarn");
+    return !*words_skip_blanks(text + words_length(text));
 }
 
 bool prose_repeats_rows(const char *text)
@@ -65,7 +78,7 @@ bool prose_repeats_rows(const char *text)
     if (words_length(text) > 3 && words_are_rows(words_skip_blanks(text + words_length(text))))
         return true;
     if (words_is(text, "until") || words_is(text, "till"))
-        return lengths_follow(text) || words_line_has(text, "yarn") || words_line_has(text, "rows") || words_line_has(text, "rounds");
+        return lengths_follow(text) || !stitches_are_meant(text);
     return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || prose_rows_follow(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
            (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
 }
@@ -395,7 +408,7 @@ size_t prose_but_end(const char *text)
 
 bool prose_comma_is_idle(const char *text)
 {
-    return prose_but_end(words_skip_blanks(text)) || prose_times_follow(text) || *words_skip_blanks(text) == '.' || words_is(words_skip_blanks(text), "or");
+    return prose_but_end(words_skip_blanks(text)) || prose_times_follow(text) || strchr(".:", *words_skip_blanks(text)) || words_is(words_skip_blanks(text), "or");
 }
 
 bool prose_row_is_named(const char *text)

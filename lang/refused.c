@@ -6,6 +6,8 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/words.h"
+
 enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE, RIBS, MACHINE };
 enum { WORDS = 64, LONGEST = 100 };
 
@@ -42,7 +44,7 @@ static const struct {
       "slip slip purl"}},
     {"an increase", TOPOLOGY,
      {"yo", "yo#*", "yo-*", "yfwd", "yfd", "yf", "yrn", "yon", "yfon", "yfrn", "y#rn", "wfwd", "wrn", "won", "yarn over",
-      "yarn forward", "yarn round needle", "yarn round", "yarn fwd", "m#*", "make #", "make one", "kfb*", "kf&b", "pfb", "pf&b",
+      "yarn forward", "yarn round needle", "yarn round", "yarn fwd", "m#*", "make 1", "make one", "kfb*", "kf&b", "pfb", "pf&b",
       "kbf", "pbf", "kfbf#", "k#fb", "p#fb", "k#f&b", "p#f&b", "inc*", "lli", "rli", "llinc", "rlinc", "llpi", "rlpi", "kll",
       "krl", "kyok", "k#yok#", "pick up", "widen*", "into front and back", "front and back", "into the front and back"}},
     {"binding off", TOPOLOGY,
@@ -209,6 +211,15 @@ bool refused_word(struct diag *diag, const char *word, struct span span)
     return false;
 }
 
+/* `place a marker` */
+static bool is_marker(const char *text)
+{
+    const char *what = words_skip_blanks(text + words_length(text));
+
+    what = words_is(what, "a") ? words_skip_blanks(what + 1) : what;
+    return words_is(text, "place") && (words_is(what, "marker") || words_is(what, "markers"));
+}
+
 bool refused_text(struct diag *diag, struct span span)
 {
     const char *text = span.source->text;
@@ -222,7 +233,7 @@ bool refused_text(struct diag *diag, struct span span)
         if (word.end == at)
             continue;
         at = word.end;
-        if (word.end - word.start >= LONGEST)
+        if (word.end - word.start >= LONGEST || is_marker(text + word.start))
             continue;
         memcpy(copy, text + word.start, word.end - word.start);
         copy[word.end - word.start] = '\0';

@@ -46,6 +46,17 @@ static bool behind_fabric(const char *text, size_t at)
     return end > at && words_find(text + at, fabric, sizeof fabric / sizeof *fabric) >= 0;
 }
 
+/* `(to make 6 boxes)`: what stitches are for; `(9 sts remain)` before those that are left. */
+static bool is_purpose(const char *text, size_t close)
+{
+    static const char *const verb[] = {"make", "form", "create", "get", "keep", "match"}, *const left[] = {"remain", "remaining", "rem", "left"};
+    const char *second = words_skip_blanks(text + 1 + words_length(text + 1)), *sts = words_behind_number(text + 1), *next = words_skip_blanks(text + close + 1);
+
+    if (words_is(text + 1, "to"))
+        return words_find(second, verb, sizeof verb / sizeof *verb) >= 0;
+    return sts && words_are_stitches(sts) && words_find(words_skip_blanks(sts + words_length(sts)), left, 4) >= 0 && prose_stitches_follow(next);
+}
+
 size_t remarks_length(const char *text, size_t at)
 {
     static const char *const times[] = {"x", "twice", "thrice", "once", "to", "rep", "repeat", "until", "rib", "ribbing", "across", "around"};
@@ -54,7 +65,7 @@ size_t remarks_length(const char *text, size_t at)
 
     if (here[close] != ')' || close == 1)
         return 0;
-    if (remarks_are(here + 1, close - 1))
+    if (remarks_are(here + 1, close - 1) || is_purpose(here, close))
         return close + 1;
     if (!behind_fabric(text, at) || tolower((unsigned char)here[1]) != 'k')
         return 0;

@@ -158,12 +158,28 @@ long long work_stop(const struct work *repeat, int *from)
     return -1;
 }
 
+/* Whether `k1, p1 across` is the whole row, and its last time ends behind k1. */
+static bool stops_unmarked(const struct work *repeat, long long stop)
+{
+    struct run_at at = {repeat->child, 0};
+    const struct run *run;
+
+    if (!repeat->unmarked || repeat->next)
+        return false;
+    while (stop > 0 && (run = next_run(&at)))
+        stop -= run->length;
+    return stop == 0;
+}
+
 /* A repeat whose last time stops short, where that makes the width; NULL: none. *stop: its stitches then. */
 static struct work *stops_short(const struct row_text *row, long long width, long long *stop)
 {
     struct work *work = row->work;
     int from = 0;
 
+    *stop = work && work->unmarked ? width % work->length : 0;
+    if (*stop && width > work->length && stops_unmarked(work, *stop))
+        return work;
     for (; work && fixed_length(work) >= 0; work = work->next)
         width -= fixed_length(work);
     if (!work || !work->ending)

@@ -39,6 +39,7 @@ struct work {
     enum work_until until;
     long long       n;
     bool            ending;     /* WORK_FIT: what follows may be the end of the last time, */
+    bool            unmarked;   /* `k1, p1 to end`: where the repeat begins is not marked, nor what its last time is */
     bool            told;       /* which was said */
     bool            bare;       /* a group without a number of times: once, or as often as fills the row */
     struct work    *next;

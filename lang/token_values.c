@@ -276,6 +276,19 @@ void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span
     }
 }
 
+/* Warns of the second number of `Knit 3 or 4 rows`, which is no part of the plain text. */
+void scanner_choice(struct scanner *scanner, struct span span)
+{
+    const char *text = scanner->parse->source->text;
+
+    for (unsigned at = span.start; at < span.end; at++)
+        if (!isalnum((unsigned char)text[at - (at > 0)]) && words_is(text + at, "or") && !words_is(scanner->parse->text + at, "or")) {
+            diag_warning(scanner->parse->diag, CODE_FIRST_SIZE, span, "so many rows or others: the first number is taken");
+            diag_hint(scanner->parse->diag, "for the other, write it alone");
+            return;
+        }
+}
+
 int scanner_section(struct scanner *scanner, struct span span)
 {
     diag_error(scanner->parse->diag, CODE_ROW_REFERENCE, span, "which rows these parts of the pattern are is not known: rows are repeated by their numbers");

@@ -26,6 +26,8 @@ void scanner_starting(KNIT_STYPE *, const char *text);
 void scanner_all(KNIT_STYPE *, const char *text);
 void scanner_side_row(KNIT_STYPE *, const char *text);
 void scanner_following(KNIT_STYPE *, const char *text);
+void scanner_choice(struct scanner *, struct span);
+
 /* `Repeat sections A and B`: reports it; text. */
 int scanner_section(struct scanner *, struct span);
 
