@@ -8,6 +8,8 @@
 #include "lang/prose.h"
 #include "lang/words.h"
 
+enum { NEEDLES = 60 };  /* bytes that say which they are */
+
 /* ---- titles ---- */
 
 /* Whether a cast-on follows: `Cast on 20 sts`, `With No. 9 needles cast on 20 sts`. */
@@ -284,6 +286,29 @@ static size_t table_length(const char *text)
     return memchr(text, '*', line) || (prose_stitches_follow(text + next) && numbers) ? 0 : line;
 }
 
+/* How long `Using smaller needles,` is before work, `Change to 4.5mm needles and` before `knit 4 rows`; or 0. */
+static size_t needles_length(const char *text)
+{
+    static const char *const lead[] = {"with", "using", "on", "change", "changing", "switch"}, *const needles[] = {"needle", "needles", "pins"},
+                             *const work[] = {"knit", "purl", "k", "p", "work", "rep", "repeat", "continue", "cont"}, *const then[] = {"and", "then"};
+    size_t at = words_length(text), n;
+
+    if (words_find(text, lead, sizeof lead / sizeof *lead) < 0)
+        return 0;
+    for (; at < NEEDLES && text[at] && words_find(text + at, needles, 3) < 0; at += n ? n : 1) {
+        n = words_length(text + at);
+        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : strchr(":;\r\n*", text[at]) != NULL)
+            return 0;
+    }
+    if (at >= NEEDLES || !text[at])
+        return 0;
+    at += words_length(text + at);
+    at += strspn(text + at, ", \t");
+    while (words_find(text + at, then, 2) >= 0)
+        at += words_length(text + at), at += strspn(text + at, " \t");
+    return words_find(text + at, work, sizeof work / sizeof *work) >= 0 ? at : 0;
+}
+
 size_t heads_length(const char *text, bool inside, bool *stop)
 {
     size_t length;
@@ -298,6 +323,8 @@ size_t heads_length(const char *text, bool inside, bool *stop)
         return length;
     if (!inside && is_table_head(text))
         return words_line_length(text);
+    if (!inside && (length = needles_length(text)))
+        return length;
     if (!inside && memchr(text, '|', words_line_length(text)) && !is_statement(text))
         return table_length(text);
     if ((length = title_length(text)) || (length = label_length(text)))

@@ -4,6 +4,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include <strings.h>
 
 #include "lang/compile.h"
 #include "lang/joined.h"
@@ -292,6 +293,28 @@ static void append_chart(struct parse *parse)
     *last = stmt;
 }
 
+/* Rows of a knitting loom are not turned: all are worked from the front, as if every second one were not purled. */
+static void warn_of_loom(struct parse *parse)
+{
+    static const char *const loom[] = {"loom", "looms"};
+    const char *text = parse->source->text;
+    struct span said = {0};
+    bool rows = false;
+
+    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
+        n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
+        if (text[at] == '#' || !n || (at > 0 && isalnum((unsigned char)text[at - 1])))
+            continue;
+        rows |= prose_row_follows(text + at) && strncasecmp(text + at, "row", 3) == 0;
+        if (words_find(text + at, loom, 2) >= 0)
+            said = (struct span){parse->source, (unsigned)at, (unsigned)(at + n)};
+    }
+    if (!rows || !said.source)
+        return;
+    diag_warning(parse->diag, CODE_PROSE, said, "rows are read as on needles, where the work is turned; on a loom all are worked from the front");
+    diag_hint(parse->diag, "rows of a loom: k for p and p for k in every second one");
+}
+
 struct parse parse_read(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
 {
     struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
@@ -310,6 +333,8 @@ struct stmt *parse_statements(struct parse *parse)
 
     if (!parse->text)
         return NULL;
+    if (!parse->joined)
+        warn_of_loom(parse);
     parse->scanner = &scanner;
     scanner_parse(&scanner);
     append_chart(parse);

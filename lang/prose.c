@@ -65,7 +65,7 @@ static bool opens_block(const char *text)
 static bool no_version(const char *text)
 {
     text += *text == '(';
-    return !isdigit((unsigned char)*text) && !strchr("-.(", *text);
+    return !isdigit((unsigned char)*text) && (!strchr("-.(", *text) || isalpha((unsigned char)text[1]));
 }
 
 /* `width = 3`, `(width = 3`: a brace is missing. */
@@ -496,9 +496,8 @@ static bool is_worked(const char *text)
     if (prose_counts_fabric(text) || (words_is(text, "work") && prose_counts_fabric(words_skip_blanks(text + 4))))
         return true;
     behind = words_skip_blanks(text + words_length(text));
-    if (prose_fabric_follows(text) && prose_row_count(text))
+    if (prose_fabric_follows(words_is(text, "work") && words_is(behind, "in") ? words_skip_blanks(behind + 2) : text) && prose_row_count(text))
         return true;
-
     if (words_find(text, again, 2) >= 0)
         return prose_repeats_rows(behind) && words_line_length(text) > 0;
     if (words_is(text, "work") && words_is(behind, "these") && words_are_rows(words_skip_blanks(behind + 5)))
@@ -529,7 +528,7 @@ size_t prose_length(const struct scanner *scanner, const char *text)
 static bool asks_for_work(const char *text, size_t length)
 {
     static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const rib[] = {"rib", "work", "knit", "purl", "k", "p"},
-                             *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do"},
+                             *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do", "begin", "start"},
                              *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"},
                              *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
     int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
@@ -550,6 +549,7 @@ static bool asks_for_work(const char *text, size_t length)
         asks |= words_find(text + i, rib, 6) >= 0 && prose_rows_follow(behind);
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
+    asks |= first > 8 && words_line_has(text, "work");
     return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
 }
 

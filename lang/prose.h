@@ -37,6 +37,7 @@ bool prose_fabric_follows(const char *text);        /* "garter st", "k2, p2 rib"
 bool prose_has_cast_on(const char *text);           /* "20 sts": so many stitches come next */
 bool prose_stitches_follow(const char *text);       /* a row's text, of a list that numbers its rows */
 bool prose_sentence_begins(const char *text);       /* "repeat rows 1-4", "then purl 3 rows", "bind off": of a line's several */
+bool prose_row_is_labelled(const char *text);       /* behind `Row`: "2: k4", "2 - k4" */
 bool prose_is_head(const char *text);               /* "work in pattern thus:", rows behind it or nothing */
 bool prose_is_side_mistyped(const char *text);      /* "(SR)" */
 bool prose_repeat_follows(const char *text);        /* "rep", "repeat" */

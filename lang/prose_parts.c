@@ -48,6 +48,8 @@ bool prose_has_cast_on(const char *text)
     if (!behind)
         return words_find(words_skip_blanks(text + words_length(text)), multiple, sizeof multiple / sizeof *multiple) >= 0;
     behind = words_skip_blanks(behind);
+    if (prose_line_ends(behind))
+        return true;
     if (*behind == '(' && behind[strcspn(behind, ")\r\n")] == ')' && prose_line_ends(behind + strcspn(behind, ")") + 1))
         return true;
     behind += strcspn(behind, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.\r\n");
@@ -415,6 +417,13 @@ bool prose_row_is_named(const char *text)
 {
     text = words_skip_blanks(text);
     return words_are_rows(text) && *words_skip_blanks(text + words_length(text)) == ':';
+}
+
+bool prose_row_is_labelled(const char *text)
+{
+    const char *number = words_skip_blanks(text), *behind = words_skip_blanks(number + strspn(number, "0123456789"));
+
+    return isdigit((unsigned char)*number) && (*behind == ':' || (*behind == '-' && behind[1] == ' '));
 }
 
 bool prose_is_meaning(const char *text)

@@ -119,9 +119,10 @@ static unsigned with_marks(const struct reader *reader, unsigned start)
  * before the word. */
 static unsigned line_within(const char *text, struct span span)
 {
+    const char *line = memchr(text + span.start, '\n', span.end - span.start);
     unsigned at = span.end;
 
-    while (at > span.start && !strchr("\r\n.;(", text[at - 1]))
+    while (at > span.start && !strchr(line ? "\r\n" : "\r\n.;(", text[at - 1]))
         at--;
     while (at > 0 && isalnum((unsigned char)text[at - 1]) && isalnum((unsigned char)text[at]))
         at--;

@@ -188,6 +188,10 @@ const struct phrase turns_of_pages[] = {
     {"go|return back? to row|round|rnd # and =repeat|rep =rows|rounds|rnds|these|the|from", ""},
     {"^ =# )|. =rs|ws :", ""},
     {"^ beg|begin|start|commence|commencing pattern|patt|pat|rib|moss|seed|garter st|stitch|st.? :|-? =# =st =row|round|rnd", ""},
+    {"^ start|begin|finish|end with a|the? garter|seed|moss|rib st|stitch|stitch? border|edge|edging|band|hem -|:|,|; =knit|purl|work =#", ""},
+    {"=more|once|twice|thrice|times -|=|, # rows|rounds|rnds rib|ribbing|patt|pattern|garter|moss|seed? st|stitch? in total|all", ""},
+    {"=rows|rnds|rounds : =# =more|times", ""},
+    {"=# : =# =more =times", ""},
     {"^ end|ending|finish with|on|after a rs|ws|right|wrong -? side? row|rnd|round =.?", ""},
 
     {"=knit|k =# =rows in? garter|g st|stitch?", ""},
