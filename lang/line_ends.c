@@ -35,6 +35,17 @@ static bool statement_follows(const struct scanner *scanner, const char *text)
     return false;
 }
 
+/* The same behind the mark of a list: `- Row 2: k4`. */
+static bool item_follows(const struct scanner *scanner, const char *text)
+{
+    static const char *const marks[] = {"- ", "* ", "\xE2\x80\xA2 ", "\xC2\xB7 ", "\xE2\x80\x93 "};
+
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
+        if (strncmp(text, marks[i], strlen(marks[i])) == 0)
+            return prose_row_follows(text + strlen(marks[i])) && statement_follows(scanner, text + strlen(marks[i]));
+    return false;
+}
+
 /* A token after which an expression must go on. */
 static bool goes_on(int token)
 {
@@ -124,7 +135,7 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
 {
     const char *next = SCANNER_TEXT(scanner);
 
-    if (!*next || page_chart_line(scanner->parse->chart, scanner->at).source || (statement_follows(scanner, next) && !(in_row && scanner_in_row_head(scanner) && prose_row_line(next))))
+    if (!*next || item_follows(scanner, next) || page_chart_line(scanner->parse->chart, scanner->at).source || (statement_follows(scanner, next) && !(in_row && scanner_in_row_head(scanner) && prose_row_line(next))))
         return true;
     if (scanner_in_bracket(scanner))
         return false;

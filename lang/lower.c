@@ -170,6 +170,10 @@ static bool lower_item(struct eval *eval, struct where where, const struct item 
     }
     if (!lower_items(eval, where, item->more->child, &work->child))
         return false;
+
+    /* `*k*`: one stitch, as often as the star says. */
+    if (work->child && !work->child->next && work->child->run && work->child->until == WORK_FIT && item_is_plain(item->more->child))
+        work->child->until = WORK_TIMES;
     *to = work->child ? work : NULL;
     if (*to || work->until == WORK_TIMES)
         return true;

@@ -116,7 +116,10 @@ static bool is_labelled(const char *text)
 /* `swatch: ..`, `swatch we are going to knit` */
 static bool no_fabric(const char *text)
 {
-    return is_labelled(text) || (count_words(text) > 2 && !line_has(text, "()[]=*?|&<>+-/"));
+    const char *behind = text + words_length(text);
+
+    /* Two words that follow each other are no value. */
+    return is_labelled(text) || (behind > text && *behind == ' ' && words_length(words_skip_blanks(behind)) > 0 && !words_is(text, "each"));
 }
 
 bool prose_is_keyword(const char *text)
@@ -139,7 +142,7 @@ bool prose_is_keyword(const char *text)
 /* ---- sentences ---- */
 
 /* Words that begin a sentence, though some are nearly a statement's. */
-static const char *const sentence_word[] = {"the", "this", "you", "it", "we", "my", "how", "when", "now", "our", "your", "there", "these", "that", "then", "set"};
+static const char *const sentence_word[] = {"the", "this", "you", "it", "we", "my", "how", "when", "now", "our", "your", "there", "these", "that", "then", "set", "and", "but", "here", "good"};
 enum { nsentence_words = sizeof sentence_word / sizeof *sentence_word };
 
 /* `COT BLANKET`, `Red Scarf`: what follows the short word follows none of a statement. */
@@ -244,6 +247,15 @@ static bool is_repeat_until(const char *text)
     return behind && words_are_rows(behind) && (words_line_has(behind, "until") || words_line_has(behind, "till"));
 }
 
+/* `x.json`, `out/`: not `bumps.` at a sentence's end. */
+static bool names_file(const char *text, size_t length)
+{
+    for (size_t i = 0; i < length; i++)
+        if (text[i] == '/' || (text[i] == '.' && i + 1 < length && isalnum((unsigned char)text[i + 1])))
+            return true;
+    return false;
+}
+
 /* Quotes of a statement, `report "x.json"`: not those of `SQUARE No. 7 ("Windows")`, of a "Waffle" cloth, of 8" x 8". */
 static bool has_file_name(const char *text)
 {
@@ -252,7 +264,7 @@ static bool has_file_name(const char *text)
 
         if (text[i] != '"' || (i > 0 && isdigit((unsigned char)text[i - 1])))
             continue;
-        if (text[i + 1 + length] != '"' || !isupper((unsigned char)text[i + 1]) || memchr(text + i + 1, '.', length) || memchr(text + i + 1, '/', length))
+        if (text[i + 1 + length] != '"' || names_file(text + i + 1, length))
             return true;
         i += length + 1;
     }
@@ -531,11 +543,13 @@ static bool asks_for_work(const char *text, size_t length)
                              *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do", "begin", "start"},
                              *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"},
                              *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
+    size_t colon = strcspn(text, ":.\r\n");
     int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
     bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
     bool heading = length > 0 && text[length - 1] == ':' && prose_heads_rows(text, text + length);
 
-    if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0)
+    if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0 ||
+        (text[colon] == ':' && words_find(words_skip_blanks(text + colon + 1), advice, sizeof advice / sizeof *advice) >= 0))
         return false;
     for (size_t i = 0; i < length; i++) {
         const char *behind = words_skip_blanks(text + i + words_length(text + i));

@@ -67,6 +67,19 @@ static bool stitches_are_meant(const char *text)
     return !*words_skip_blanks(text + words_length(text));
 }
 
+bool prose_tells_how(const char *text)
+{
+    static const char *const how[] = {"using", "with", "via", "by"}, *const count[] = {"st", "sts", "stitch", "stitches", "multiple", "multiples", "number", "as", "for"};
+    size_t line = words_line_within(text, WORDS_REACH);
+
+    if (words_find(words_skip_blanks(text), how, sizeof how / sizeof *how) < 0)
+        return false;
+    for (size_t at = 0; at < line; at += words_length(text + at) + (words_length(text + at) == 0))
+        if (isdigit((unsigned char)text[at]) || text[at] == '{' || words_find(text + at, count, sizeof count / sizeof *count) >= 0)
+            return false;
+    return true;
+}
+
 bool prose_repeats_rows(const char *text)
 {
     static const char *const word[] = {"for",  "these", "this",    "those", "last", "them", "all", "pattern",
