@@ -94,11 +94,10 @@ static bool is_aside(const char *text, size_t n)
 /* `Knit 4 rows`, `repeat rows 1-4`, a row with its number, a cast-on. */
 static bool is_work(const char *text)
 {
-    static const char *const work[] = {"knit", "purl", "k", "p", "work"}, *const again[] = {"rep", "repeat"};
-    const char *behind = words_skip_blanks(text + words_length(text));
+    const char *behind = words_next(text);
 
-    return prose_pattern_follows(text) || (words_find(text, work, 5) >= 0 && prose_rows_follow(behind)) ||
-           (words_find(text, again, 2) >= 0 && prose_repeats_rows(behind));
+    return prose_pattern_follows(text) || (words_are(text, WORDS_PLAIN | WORDS_WORK) && prose_rows_follow(behind)) ||
+           (words_are(text, WORDS_AGAIN) && prose_repeats_rows(behind));
 }
 
 /* How long `Final border: ` is before rows to work; or 0. */

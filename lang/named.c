@@ -157,13 +157,12 @@ static struct name *name_at(struct names_of_page *names, const char *text, size_
 /* What stands for the name of a pattern that is worked: nothing before its rows. */
 static const char *plain_of_worked(const char *behind, size_t length)
 {
-    static const char *const often[] = {"once", "twice", "thrice"};
     const char *plain = "in patt";
 
     behind = words_skip_blanks(behind);
     if (words_are_rows(behind))
         return "";
-    if (words_find(behind, often, 3) >= 0 || prose_times_follow(behind))
+    if (words_are(behind, WORDS_OFTEN) || prose_times_follow(behind))
         plain = "these rows";
     return length >= strlen(plain) ? plain : NULL;
 }

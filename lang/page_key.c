@@ -57,7 +57,7 @@ static int side_at(const char **text)
 /* `RS: knit`, `k on RS`, `purl stitch`: the stitch as it shows from the right side, and behind it; -1: none. */
 static int stitch_at(const char **text, bool *sided)
 {
-    static const char *const words[] = {"knit", "k", "knits", "purl", "p", "purls"}, *const sts[] = {"st", "sts", "stitch", "stitches"};
+    static const char *const words[] = {"knit", "k", "knits", "purl", "p", "purls"};
     const char *at = *text;
     int side = side_at(&at), word;
 
@@ -66,7 +66,7 @@ static int stitch_at(const char **text, bool *sided)
     if (word < 0)
         return -1;
     at = words_skip_blanks(at + words_length(at));
-    at = skip(at, sts, 4);
+    at = words_are_stitches(at) ? words_next(at) : at;
     side = side ? side : side_at(&at);
     *sided |= side != 0;
     *text = at;

@@ -31,13 +31,12 @@ size_t print_letters_length(const char *text, int *number)
 /* `3rd`, `third`: its bytes, and the number. */
 size_t print_ordinal_length(const char *text, int *number)
 {
-    static const char *const ends[] = {"st", "nd", "rd", "th"};
     size_t n = strspn(text, "0123456789");
 
     if (!n)
         return print_letters_length(text, number);
     *number = n < 6 ? atoi(text) : 0;
-    return n < 6 && words_find(text + n, ends, 4) >= 0 ? n + words_length(text + n) : 0;
+    return n < 6 ? words_ordinal_length(text) : 0;
 }
 
 /* ---- heads of rows ---- */

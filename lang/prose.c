@@ -212,14 +212,14 @@ static bool has_call(const char *text)
 /* Whether so many plain words stand on the line that signs and stitches among them do not matter. */
 bool prose_is_long(const char *text)
 {
-    static const char *const work[] = {"knit", "purl", "repeat", "rep", "from", "end", "row", "rows", "last", "sts", "times", "stitches",
-                                       "twice", "stitch", "until", "remaining", "again", "more", "across", "then", "and", "the", "once"};
+    const unsigned work = WORDS_PLAIN | WORDS_AGAIN | WORDS_ROW | WORDS_STITCH | WORDS_TIMES | WORDS_OFTEN | WORDS_THEN | WORDS_END;
+    static const char *const idle[] = {"from", "last", "until", "remaining", "again", "more", "across", "and", "the"};
     size_t n = words_line_length(text);
     int words = 0;
 
     for (size_t at = 0, length; at < n; at += length ? length : 1) {
         length = words_length(text + at);
-        words += length > 2 && words_find(text + at, work, sizeof work / sizeof *work) < 0;
+        words += length > 2 && !words_are(text + at, work) && words_find(text + at, idle, sizeof idle / sizeof *idle) < 0;
     }
     return words >= (words_find(text, sentence_word, nsentence_words) >= 0 ? SHORT_SENTENCE : LONG_SENTENCE) && text[words_length(text)] == ' ';
 }
@@ -296,12 +296,10 @@ static bool is_numbered_heading(const char *text)
 /* `FAQ`: letters no stitch has. */
 static bool is_shouted(const char *text, size_t n)
 {
-    static const char *const work[] = {"knit", "purl", "repeat", "garter", "rep"};
-
     for (size_t i = 0; i < n; i++)
         if (!isupper((unsigned char)text[i]))
             return false;
-    return n > 2 && words_find(text, work, sizeof work / sizeof *work) < 0 && !words_are_rows(text) && !is_nearly_statement(text);
+    return n > 2 && !words_are(text, WORDS_PLAIN | WORDS_AGAIN | WORDS_FABRIC | WORDS_ROW) && !is_nearly_statement(text);
 }
 
 /* `Ribbing`, alone on a line. */
@@ -328,11 +326,10 @@ static bool is_adjective(const char *digit)
 /* "22 sts", "4 rows": more than a title says. */
 static bool has_count(const char *text)
 {
-    static const char *const word[] = {"st", "sts", "stitch", "stitches", "row", "rows", "round", "rounds", "times"};
     size_t n = words_line_length(text);
 
     for (size_t i = 0; i < n; i++)
-        if (isdigit((unsigned char)text[i]) && words_find(words_skip_blanks(text + i + 1), word, sizeof word / sizeof *word) >= 0 && !is_adjective(text + i))
+        if (isdigit((unsigned char)text[i]) && words_are(words_skip_blanks(text + i + 1), WORDS_STITCH | WORDS_ROW | WORDS_TIMES) && !is_adjective(text + i))
             return true;
     return false;
 }
@@ -484,14 +481,14 @@ static bool is_value(const char *text)
 /* `(16 + 4 = 20)`, `YF = Yarn Forward`, `Stem`: a line without a word of work. */
 static bool is_idle(const char *text)
 {
-    static const char *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "cast", "co", "times", "time", "twice", "more", "work", "continue", "cont", "garter", "end"};
+    const unsigned work = WORDS_PLAIN | WORDS_WORK | WORDS_AGAIN | WORDS_CAST | WORDS_TIMES | WORDS_OFTEN | WORDS_GO_ON | WORDS_END | WORDS_ROW;
     size_t n = words_line_within(text, WORDS_LINE + 1);
 
     if (n > WORDS_LINE || *text == '}' || is_value(text) || is_mistyped(text) || has_stitches(text) || has_file_name(text) || memchr(text, '*', n))
         return false;
     for (size_t at = 0, length; at < n; at += length ? length : 1) {
         length = words_length(text + at);
-        if (length && (words_are_rows(text + at) || words_find(text + at, work, sizeof work / sizeof *work) >= 0))
+        if (words_are(text + at, work) || words_is(text + at, "more") || words_is(text + at, "garter"))
             return false;
     }
     return true;
@@ -500,21 +497,20 @@ static bool is_idle(const char *text)
 /* `Knit 4 rows`, `Row 1: ..`, `Then rep last 2 rows`, `k2, p2 rib 6 rows`: worked, where a sentence ends before. */
 static bool is_worked(const char *text)
 {
-    static const char *const work[] = {"knit", "purl", "k", "p", "work"}, *const again[] = {"rep", "repeat"}, *const then[] = {"then", "now"};
     const char *behind;
 
-    if (words_find(text, then, 2) >= 0)
-        text = words_skip_blanks(text + words_length(text));
+    if (words_are(text, WORDS_THEN))
+        text = words_next(text);
     if (prose_counts_fabric(text) || (words_is(text, "work") && prose_counts_fabric(words_skip_blanks(text + 4))))
         return true;
-    behind = words_skip_blanks(text + words_length(text));
+    behind = words_next(text);
     if (prose_fabric_follows(words_is(text, "work") && words_is(behind, "in") ? words_skip_blanks(behind + 2) : text) && prose_row_count(text))
         return true;
-    if (words_find(text, again, 2) >= 0)
+    if (words_are(text, WORDS_AGAIN))
         return prose_repeats_rows(behind) && words_line_length(text) > 0;
     if (words_is(text, "work") && words_is(behind, "these") && words_are_rows(words_skip_blanks(behind + 5)))
         return true;
-    return prose_pattern_follows(text) || (words_find(text, work, 5) >= 0 && prose_rows_follow(behind));
+    return prose_pattern_follows(text) || (words_are(text, WORDS_PLAIN | WORDS_WORK) && prose_rows_follow(behind));
 }
 
 size_t prose_length(const struct scanner *scanner, const char *text)
@@ -539,8 +535,7 @@ size_t prose_length(const struct scanner *scanner, const char *text)
  * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again, so many times. */
 static bool asks_for_work(const char *text, size_t length)
 {
-    static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const rib[] = {"rib", "work", "knit", "purl", "k", "p"},
-                             *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do", "begin", "start"},
+    static const char *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do", "begin", "start"},
                              *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"},
                              *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
     size_t colon = strcspn(text, ":.\r\n");
@@ -559,8 +554,8 @@ static bool asks_for_work(const char *text, size_t length)
         asks |= first >= 0 && prose_times_follow(text + i);
         if (!isalpha((unsigned char)text[i]))
             continue;
-        stitches += words_find(text + i, stitch, 4) >= 0 && isdigit((unsigned char)*behind) && !isalpha((unsigned char)behind[strspn(behind, "0123456789")]);
-        asks |= words_find(text + i, rib, 6) >= 0 && prose_rows_follow(behind);
+        stitches += words_are(text + i, WORDS_PLAIN) && isdigit((unsigned char)*behind) && !isalpha((unsigned char)behind[strspn(behind, "0123456789")]);
+        asks |= (words_are(text + i, WORDS_PLAIN | WORDS_WORK) || words_is(text + i, "rib")) && prose_rows_follow(behind);
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
     asks |= first > 8 && words_line_has(text, "work");
@@ -593,14 +588,13 @@ bool prose_of_multiple(const struct scanner *scanner)
 
 bool prose_sizes(struct scanner *scanner, struct span line)
 {
-    static const char *const word[] = {"row", "rows", "rnd", "rnds", "round", "rounds", "times", "more"};
     const char *text = scanner->parse->text;
 
     for (unsigned at = line.start; at < line.end; at++) {
         size_t close = strchr("([", text[at]) ? 1 + strcspn(text + at + 1, "([)]\r\n") : 0;
 
         if (close && text[at + close] && strchr(")]", text[at + close]) &&
-            words_find(words_skip_blanks(text + at + close + 1), word, sizeof word / sizeof *word) >= 0 &&
+            (words_are(words_skip_blanks(text + at + close + 1), WORDS_ROW | WORDS_TIMES) || words_is(words_skip_blanks(text + at + close + 1), "more")) &&
             scanner_sizes(scanner, (struct span){line.source, at, at + 1}))
             return true;
     }

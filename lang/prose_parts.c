@@ -27,15 +27,14 @@ bool prose_names_row(const char *text)
 
 bool prose_statement_follows(const char *text)
 {
-    static const char *const word[] = {"row",  "rows", "round", "rounds", "rnd",    "rnds", "cast", "co",   "bind",
-                                       "knit", "purl", "work",  "rep",    "repeat", "with", "using", "weave", "bo"};
+    static const char *const word[] = {"with", "using", "weave"};
 
     text += strspn(text, "*_ \t");
     if (words_behind_number(text))
         return words_are_rows(words_behind_number(text));
     if (words_is(text, "k") || words_is(text, "p"))
         return prose_rows_follow(words_skip_blanks(text + 1));
-    return words_find(text, word, sizeof word / sizeof *word) >= 0;
+    return words_are(text, WORDS_ROW | WORDS_CAST | WORDS_BIND | WORDS_PLAIN | WORDS_WORK | WORDS_AGAIN) || words_find(text, word, 3) >= 0;
 }
 
 bool prose_has_cast_on(const char *text)
@@ -137,14 +136,12 @@ size_t prose_begins_cast_on(const char *text)
 
 size_t prose_rows_within(const char *text)
 {
-    static const char *const work[] = {"knit", "purl", "k", "p", "work"}, *const every[] = {"every", "each", "all"};
-
     for (size_t i = 1; text[i]; i++) {
         const char *behind = words_skip_blanks(text + i + words_length(text + i)), *rows = words_behind_number(behind);
 
-        if (isalnum((unsigned char)text[i - 1]) || words_find(text + i, work, sizeof work / sizeof *work) < 0)
+        if (isalnum((unsigned char)text[i - 1]) || !words_are(text + i, WORDS_PLAIN | WORDS_WORK))
             continue;
-        if ((rows && words_are_rows(rows)) || (words_is(text + i, "work") && prose_row_follows(behind)) || (words_find(behind, every, 3) >= 0 && words_are_rows(words_skip_blanks(behind + words_length(behind)))) ||
+        if ((rows && words_are_rows(rows)) || (words_is(text + i, "work") && prose_row_follows(behind)) || (words_are(behind, WORDS_EVERY) && words_are_rows(words_skip_blanks(behind + words_length(behind)))) ||
             (words_is(text + i, "work") && words_is(behind, "in") && prose_fabric_follows(words_skip_blanks(behind + 2))))
             return i;
     }
@@ -201,17 +198,16 @@ bool prose_says_how_often(const char *text)
 /* `k2, p2`, `*p1`, `knit`, `knit to end`, `rep row 1`. */
 bool prose_stitches_follow(const char *text)
 {
-    static const char *const stitch[] = {"k", "knit", "p", "purl"}, *const behind[] = {"to", "across", "all"},
-                     *const same[] = {"as", "rep", "repeat"};
+    static const char *const behind[] = {"to", "across", "all"};
     const char *next;
 
     text += strspn(text, " \t|");
     if ((*text == '*' && text[1] != '*') || (*text == '(' && syntax_is_row(text + 1)) || (*text == '[' && syntax_is_row(text + 1)))
         return true;
     next = words_skip_blanks(text + words_length(text));
-    if (words_find(text, same, 3) >= 0)
+    if (words_are(text, WORDS_AGAIN) || words_is(text, "as"))
         return (words_are_rows(next) && !says_how_often(next)) || (isdigit((unsigned char)*next) && prose_line_ends(next + strspn(next, "0123456789")));
-    if (words_find(text, stitch, 4) < 0 && !(*text && strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
+    if (!words_are(text, WORDS_PLAIN) && !(*text && strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
         return false;
     if ((words_is(next, "every") || words_is(next, "each")) && words_are_stitches(words_skip_blanks(next + words_length(next))))
         return true;
@@ -223,19 +219,18 @@ bool prose_stitches_follow(const char *text)
 
 bool prose_is_bare_row(const char *text, bool plain)
 {
-    static const char *const stitch[] = {"k", "knit", "p", "purl"},
-                             *const other[] = {"to", "end", "across", "around", "all", "rep", "repeat", "from", "the", "last", "st", "sts", "stitch",
-                                               "stitches", "times", "twice", "more", "and"};
+    const unsigned work = WORDS_END | WORDS_EVERY | WORDS_AGAIN | WORDS_STITCH | WORDS_TIMES | WORDS_OFTEN;
+    static const char *const other[] = {"to", "across", "around", "from", "the", "last", "more", "and"};
     size_t at = strspn(text, "*([ \t");
     bool counted = false, closed = false;
 
-    if (words_find(text + at, stitch, 4) < 0)
+    if (!words_are(text + at, WORDS_PLAIN))
         return false;
     for (size_t n; at < WORDS_REACH && text[at] && !strchr("\r\n#", text[at]); at += n) {
         n = words_length(text + at);
-        if (n && words_find(text + at, stitch, 4) >= 0)
+        if (words_are(text + at, WORDS_PLAIN))
             counted |= isdigit((unsigned char)*words_skip_blanks(text + at + n)) != 0;
-        else if (n ? words_find(text + at, other, sizeof other / sizeof *other) < 0 : closed || !strchr(" \t*()[],;.0123456789", text[at]))
+        else if (n ? !words_are(text + at, work) && words_find(text + at, other, sizeof other / sizeof *other) < 0 : closed || !strchr(" \t*()[],;.0123456789", text[at]))
             return false;
         closed |= text[at] == '.' && !prose_line_ends(text + at);
         n = n ? n : 1;
@@ -245,25 +240,23 @@ bool prose_is_bare_row(const char *text, bool plain)
 
 bool prose_row_line(const char *text)
 {
-    static const char *const stitch[] = {"k", "knit", "p", "purl"};
     const char *first = text + (*text == '*'), *number = words_skip_blanks(first + words_length(first));
 
-    return words_find(first, stitch, 4) >= 0 && isdigit((unsigned char)*number) && !words_are_rows(words_skip_blanks(number + strspn(number, "0123456789"))) &&
+    return words_are(first, WORDS_PLAIN) && isdigit((unsigned char)*number) && !words_are_rows(words_skip_blanks(number + strspn(number, "0123456789"))) &&
            !words_line_has(text, "rib") && !words_line_has(text, "ribbing") && !words_line_has(text, "rows") && !words_line_has(text, "more");
 }
 
 /* `repeat rows 1-4`, `bind off`, `purl 3 rows`, `work in rib`. */
 static bool part_begins(const char *text)
 {
-    static const char *const again[] = {"the", "these", "this", "those", "them", "last", "for", "all"}, *const even[] = {"even", "straight"},
-                             *const work[] = {"knit", "purl", "k", "p", "work"};
+    static const char *const again[] = {"the", "these", "this", "those", "them", "last", "for", "all"}, *const even[] = {"even", "straight"};
     const char *next = words_next(text), *rows = next;
 
-    if (words_is(text, "rep") || words_is(text, "repeat"))
+    if (words_are(text, WORDS_AGAIN))
         return isdigit((unsigned char)*next) || repeats_rows_length(next) || words_find(next, again, sizeof again / sizeof *again) >= 0;
     if (words_is(text, "bind") || words_is(text, "cast"))
         return words_is(next, "off") && !isdigit((unsigned char)*words_next(next)) && *words_next(next) != '{';
-    if (words_find(text, work, 5) < 0)
+    if (!words_are(text, WORDS_PLAIN | WORDS_WORK))
         return false;
     while (isalnum((unsigned char)*rows))
         rows++;
@@ -278,9 +271,9 @@ static bool part_begins(const char *text)
 bool prose_sentence_begins(const char *text)
 {
     static const char *const then[] = {"then", "and", "now"}, *const first[] = {"cont", "continue", "weave", "fasten", "cut", "break", "these", "this"},
-                             *const begin[] = {"beg", "begin", "beginning", "start", "starting", "commencing"}, *const ordinal[] = {"st", "nd", "rd", "th"};
+                             *const begin[] = {"beg", "begin", "beginning", "start", "starting", "commencing"};
     const char *next = words_next(text), *side = words_is(words_next(next), "a") || words_is(words_next(next), "an") ? words_next(words_next(next)) : words_next(next);
-    size_t digits = strspn(text, "0123456789");
+    size_t ordinal = words_ordinal_length(text);
 
     if (part_begins(words_find(text, then, 3) >= 0 ? next : text))
         return true;
@@ -288,8 +281,8 @@ bool prose_sentence_begins(const char *text)
         return true;
     if (words_find(text, begin, sizeof begin / sizeof *begin) >= 0)
         return (words_is(next, "with") || words_is(next, "on")) && strchr("kprwKPRW", *side) && *side;
-    if (digits)
-        return words_find(text + digits, ordinal, 4) >= 0 && words_are_rows(words_next(text + digits));
+    if (ordinal)
+        return words_are_rows(words_skip_blanks(text + ordinal));
     if (words_is(text, "the") && words_is(next, "last"))
         return words_behind_number(words_next(next)) && words_are_rows(words_behind_number(words_next(next)));
     return (words_is(text, "next") && words_are_rows(next)) || (words_is(text, "cast") && words_is(next, "on"));
@@ -309,9 +302,7 @@ bool prose_is_side_mistyped(const char *text)
 
 bool prose_repeat_follows(const char *text)
 {
-    static const char *const word[] = {"rep", "repeat"};
-
-    return words_find(words_skip_blanks(text), word, 2) >= 0;
+    return words_are(words_skip_blanks(text), WORDS_AGAIN);
 }
 
 /* Behind a sentence of two words or more, none of which is a row's; NULL: it is none. */
@@ -336,13 +327,14 @@ static const char *behind_remark(const char *text)
 
 bool prose_footnote_follows(const char *text)
 {
-    static const char *const note[] = {"see", "note", "notes", "nb", "n.b"}, *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "to", "from", "times", "twice", "end"};
+    static const char *const note[] = {"see", "note", "notes", "nb", "n.b"}, *const to[] = {"to", "from"};
+    const unsigned work = WORDS_PLAIN | WORDS_AGAIN | WORDS_TIMES | WORDS_OFTEN | WORDS_END;
     const char *at = words_skip_blanks(text);
 
     if (words_find(at, note, 5) < 0)
         return false;
     for (; *at && !strchr("\r\n", *at); at += words_length(at) ? words_length(at) : 1)
-        if (strchr("0123456789*[]{}", *at) || words_find(at, work, sizeof work / sizeof *work) >= 0)
+        if (strchr("0123456789*[]{}", *at) || words_are(at, work) || words_find(at, to, 2) >= 0)
             return false;
     return true;
 }
@@ -408,13 +400,13 @@ bool prose_times_follow(const char *text)
 
 size_t prose_but_end(const char *text)
 {
-    static const char *const but[] = {"but", "except"}, *const end[] = {"end", "ending", "ends", "finish", "finishing"};
+    static const char *const but[] = {"but", "except"};
     const char *at = text;
 
     if (words_find(at, but, 2) < 0)
         return 0;
     at = words_skip_blanks(at + words_length(at));
-    if (words_find(at, end, 5) < 0)
+    if (!words_are(at, WORDS_END))
         return 0;
     at = words_skip_blanks(at + words_length(at));
     at = words_is(at, "with") ? words_skip_blanks(at + 4) : at;
@@ -553,10 +545,10 @@ bool prose_is_measure(const char *text)
 
 bool prose_side_is_worked(const char *text)
 {
-    static const char *const sides[] = {"rs", "ws"}, *const work[] = {"knit", "purl"};
+    static const char *const work[] = {"knit", "purl"};
     const char *behind = words_skip_blanks(text + words_length(text));
 
-    return words_find(text, sides, 2) >= 0 && *behind == ':' && words_find(words_skip_blanks(behind + 1), work, 2) >= 0;
+    return words_are(text, WORDS_SIDE) && *behind == ':' && words_find(words_skip_blanks(behind + 1), work, 2) >= 0;
 }
 
 bool prose_row_follows(const char *text)

@@ -77,12 +77,12 @@ size_t remarks_length(const char *text, size_t at)
 /* How long `(40 sts)`, `[40 sts rem]` is; or 0. */
 static size_t asserted_length(const char *text)
 {
-    static const char *const words[] = {"st", "sts", "stitch", "stitches", "rem", "remain", "left"};
+    static const char *const words[] = {"rem", "remain", "left"};
     size_t at = 1 + strspn(text + 1, " "), digits = strspn(text + at, "0123456789"), n;
 
     at += digits;
     for (at += strspn(text + at, " "); (n = words_length(text + at)) > 0; at += n, at += strspn(text + at, " "))
-        if (!digits || words_find(text + at, words, sizeof words / sizeof *words) < 0)
+        if (!digits || !(words_are_stitches(text + at) || words_find(text + at, words, 3) >= 0))
             return 0;
     return digits && isalpha((unsigned char)text[at - 1]) && text[at] == (*text == '(' ? ')' : ']') ? at + 1 : 0;
 }
@@ -105,9 +105,9 @@ bool remarks_on_fabric(const char *text)
 
 size_t remarks_caption(const char *text, char plain[static SIGNS_PLAIN])
 {
-    static const char *const work[] = {"k", "p", "knit", "purl", "rep", "repeat", "work", "cont", "continue", "cast", "bind", "co", "bo", "turn",
-                                       "slip", "inc", "increase", "increasing", "dec", "decrease", "decreasing", "join", "change", "next", "then",
-                                       "place", "remove", "twice", "once", "times", "more", "as", "with", "using"};
+    static const char *const work[] = {"turn", "slip", "inc", "increase", "increasing", "dec", "decrease", "decreasing", "join", "change", "next",
+                                       "place", "remove", "more", "as", "with", "using"};
+    const unsigned worked = WORDS_PLAIN | WORDS_AGAIN | WORDS_WORK | WORDS_GO_ON | WORDS_CAST | WORDS_BIND | WORDS_THEN | WORDS_OFTEN | WORDS_TIMES;
     size_t count = asserted_length(text), at = count, n;
     bool words = false, named = false;
 
@@ -115,7 +115,7 @@ size_t remarks_caption(const char *text, char plain[static SIGNS_PLAIN])
         return 0;
     for (; text[at] && !strchr("\r\n", text[at]); at += n ? n : 1) {
         n = words_length(text + at);
-        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 || prose_row_follows(text + at)
+        if (n ? words_are(text + at, worked) || words_find(text + at, work, sizeof work / sizeof *work) >= 0 || prose_row_follows(text + at)
               : !(named && isdigit((unsigned char)text[at])) && !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
             return 0;
         words |= n > 0;
@@ -130,12 +130,12 @@ size_t remarks_caption(const char *text, char plain[static SIGNS_PLAIN])
 
 bool remarks_in_row(const char *text, size_t at)
 {
-    static const char *const sides[] = {"rs", "ws", "next", "set"};
+    static const char *const next[] = {"next", "set"};
     size_t line = words_line_start(text, at), number;
 
     line += strspn(text + line, " \t-*+>|_(");
     number = line + strspn(text + line, "0123456789");
-    return line < at && ((number > line && strchr(".:)|/(- \t", text[number + (text[number] == ' ')])) || words_are_rows(text + line) || words_find(text + line, sides, 4) >= 0 ||
+    return line < at && ((number > line && strchr(".:)|/(- \t", text[number + (text[number] == ' ')])) || words_are(text + line, WORDS_ROW | WORDS_SIDE) || words_find(text + line, next, 2) >= 0 ||
                          (tolower((unsigned char)text[line]) == 'r' && isdigit((unsigned char)text[line + 1])));
 }
 

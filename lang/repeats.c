@@ -16,12 +16,9 @@ size_t repeats_rows_length(const char *text)
 /* `1st`, `second`, before a blank or a comma: its bytes, or 0. */
 static size_t ordinal_length(const char *text)
 {
-    static const char *const word[] = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth"},
-                             *const ending[] = {"st", "nd", "rd", "th"};
-    size_t digits = strspn(text, "0123456789"), n = digits + words_length(text + digits);
-    bool ordinal = digits ? words_find(text + digits, ending, 4) >= 0 : words_find(text, word, sizeof word / sizeof *word) >= 0;
+    size_t n = words_are(text, WORDS_NTH) ? words_length(text) : words_ordinal_length(text);
 
-    return ordinal && text[n] && strchr(" \t,", text[n]) ? n : 0;
+    return n && text[n] && strchr(" \t,", text[n]) ? n : 0;
 }
 
 /* Behind a word where a word of a list of further things to repeat may end; or NULL. */

@@ -107,14 +107,14 @@ static size_t tail_length(const char *text, const struct pair *pair)
 /* `*k2, p2; rep from * to end`, `(k2, p2) around`: its bytes, the blanks behind it among them. */
 static size_t row_length(const char *text, struct pair *pair)
 {
-    static const char *const repeat[] = {"rep", "repeat", "from", "to", "the", "end", "of", "row", "rnd", "round", "across", "around", "all"};
+    static const char *const repeat[] = {"from", "to", "the", "of", "across", "around"};
     size_t at = strspn(text, "*([ \t"), n = pair_length(text + at, pair);
 
     if (!n)
         return 0;
     for (at += n; n; at += n) {
         n = strspn(text + at, "*)],; \t");
-        n = n ? n : words_find(text + at, repeat, sizeof repeat / sizeof *repeat) >= 0 ? words_length(text + at) : tail_length(text + at, pair);
+        n = n ? n : words_are(text + at, WORDS_AGAIN | WORDS_END | WORDS_ROW | WORDS_EVERY) || words_find(text + at, repeat, sizeof repeat / sizeof *repeat) >= 0 ? words_length(text + at) : tail_length(text + at, pair);
     }
     return at;
 }

@@ -32,8 +32,7 @@ size_t row_phrases_star(const char *text, size_t at, char plain[static SIGNS_PLA
 /* `k1`, `purl 2`: its bytes; or 0. */
 static size_t stitch_length(const char *text)
 {
-    static const char *const words[] = {"k", "knit", "p", "purl"};
-    size_t n = words_find(text, words, 4) >= 0 ? words_length(text) : 0;
+    size_t n = words_are(text, WORDS_PLAIN) ? words_length(text) : 0;
 
     n += n ? strspn(text + n, " ") : 0;
     return n && isdigit((unsigned char)text[n]) ? n + strspn(text + n, "0123456789") : 0;
@@ -61,8 +60,8 @@ size_t row_phrases_alternate(const char *text, size_t at, char plain[static SIGN
 /* `knit on the right side`, `K on RS rows`: its bytes, the stitch and the side in small letters; or 0. */
 static size_t on_side_length(const char *text, char *stitch, char *side)
 {
-    static const char *const stitches[] = {"k", "knit", "p", "purl"}, *const on[] = {"on", "the"}, *const sides[] = {"rs", "ws", "right", "wrong"};
-    size_t at = words_find(text, stitches, 4) >= 0 ? words_length(text) : 0;
+    static const char *const on[] = {"on", "the"}, *const sides[] = {"rs", "ws", "right", "wrong"};
+    size_t at = words_are(text, WORDS_PLAIN) ? words_length(text) : 0;
 
     *stitch = (char)tolower((unsigned char)*text);
     for (at += at ? strspn(text + at, " ") : 0; at && words_find(text + at, on, 2) >= 0; at += strspn(text + at, " "))

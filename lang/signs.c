@@ -38,12 +38,11 @@ static size_t number_length(const char *text, int *number)
 /* Whether what is counted stands behind, or `cast on`, `knit` before: elsewhere it may be a name. */
 static bool is_count(const char *text, size_t at, size_t length)
 {
-    static const char *const counted[] = {"st", "sts", "stitch", "stitches", "row", "rows", "rnd", "rnds", "round", "rounds", "time", "times", "more"},
-                             *const before[] = {"on", "k", "p", "knit", "purl", "row", "rows", "of", "last"};
+    static const char *const before[] = {"on", "k", "p", "knit", "purl", "row", "rows", "of", "last"};
     const char *behind = text + at + length;
     size_t end;
 
-    if (words_find(behind + strspn(behind, " \t"), counted, sizeof counted / sizeof *counted) >= 0)
+    if (words_are(words_skip_blanks(behind), WORDS_STITCH | WORDS_ROW | WORDS_TIMES) || words_is(words_skip_blanks(behind), "more"))
         return true;
     while (at > 0 && strchr(" \t", text[at - 1]))
         at--;
@@ -104,15 +103,15 @@ static size_t side_length(const char *text, size_t at, char plain[static SIGNS_P
 /* `(RS)` of `All odd-numbered (RS) rows: knit`, which is one side's rows by their number already. */
 static bool is_side_between(const char *text, size_t at)
 {
-    static const char *const sides[] = {"rs", "ws"}, *const which[] = {"even", "odd", "numbered"}, *const work[] = {"knit", "purl", "k", "p"};
+    static const char *const which[] = {"even", "odd", "numbered"};
     const char *behind = words_skip_blanks(text + at + 4);
     size_t before = at;
 
-    if (words_find(text + at + 1, sides, 2) < 0 || text[at + 3] != ')' || !words_are_rows(behind))
+    if (!words_are(text + at + 1, WORDS_SIDE) || text[at + 3] != ')' || !words_are_rows(behind))
         return false;
     behind = words_skip_blanks(behind + words_length(behind));
     behind = *behind == ':' ? words_skip_blanks(behind + 1) : "";
-    if (words_find(behind, work, 4) < 0 || !prose_line_ends(behind + words_length(behind)))
+    if (!words_are(behind, WORDS_PLAIN) || !prose_line_ends(behind + words_length(behind)))
         return false;
     while (before > 0 && text[before - 1] == ' ')
         before--;
@@ -184,10 +183,9 @@ static bool is_end_of_sentence(const char *text, size_t at)
 /* `(27, 33)` of `k2 - 21 (27, 33) sts` at a row's end: how many stitches other sizes then have. */
 static size_t other_counts_length(const char *text, size_t at)
 {
-    static const char *const sts[] = {"st", "sts", "stitch", "stitches"};
     size_t close = at + 1 + strspn(text + at + 1, "0123456789, "), end = close + 1 + strspn(text + close + 1, " "), digits = at;
 
-    if (text[close] != ')' || close == at + 1 || words_find(text + end, sts, sizeof sts / sizeof *sts) < 0)
+    if (text[close] != ')' || close == at + 1 || !words_are_stitches(text + end))
         return 0;
     end += words_length(text + end);
     end += strspn(text + end, " .)]");
@@ -253,12 +251,11 @@ static bool has_row_before(const char *text, size_t line, size_t end)
 /* Whether `Row 2:` follows another row on its line without a mark between: `Row 1: knit Row 2: purl`. */
 static bool row_begins(const char *text, size_t at)
 {
-    static const char *const rows[] = {"row", "rows", "round", "rounds", "rnd", "rnds"},
-                             *const leads[] = {"repeat", "rep", "as", "and", "work", "to", "from", "of", "in", "on", "by", "through",
+    static const char *const leads[] = {"repeat", "rep", "as", "and", "work", "to", "from", "of", "in", "on", "by", "through",
                                                "the", "last", "like", "then", "next", "rs", "ws", "with", "until", "pattern", "all", "every", "each"};
     size_t word = at + 1 + words_length(text + at + 1), number = word + (text[word] == ' '), end = number, line, before, last = at;
 
-    if (words_find(text + at + 1, rows, 6) < 0 || number == word)
+    if (!words_are_rows(text + at + 1) || number == word)
         return false;
     end += strspn(text + end, "0123456789");
     line = words_line_start(text, at);
@@ -304,8 +301,6 @@ static bool is_between_stitches(const char *text, size_t at)
 /* The sign between the numbers of `Rows 1/3:`, `Rows 5/7/9:`. */
 static bool is_between_rows(const char *text, size_t at)
 {
-    static const char *const rows[] = {"row", "rows", "round", "rounds", "rnd", "rnds"},
-                             *const again[] = {"rep", "repeat", "as", "work"};
     size_t word = at, margin = at > WORDS_MARGIN ? at - WORDS_MARGIN : 0, end;
 
     while (word > margin && isdigit((unsigned char)text[at + 1]) && (isdigit((unsigned char)text[word - 1]) || strchr("/, ", text[word - 1])))
@@ -314,13 +309,13 @@ static bool is_between_rows(const char *text, size_t at)
         return false;
     for (end = word; word > 0 && isalpha((unsigned char)text[word - 1]);)
         word--;
-    if (end == word || words_find(text + word, rows, sizeof rows / sizeof *rows) < 0)
+    if (end == word || !words_are_rows(text + word))
         return false;
     while (word > 0 && text[word - 1] == ' ')
         word--;
     while (word > 0 && isalpha((unsigned char)text[word - 1]))
         word--;
-    return words_find(text + word, again, sizeof again / sizeof *again) < 0;
+    return !words_are(text + word, WORDS_AGAIN | WORDS_WORK) && !words_is(text + word, "as");
 }
 
 /* The sign of `R1/RS:`. */
@@ -423,8 +418,7 @@ static bool is_second_row(const char *text, size_t at)
 /* `3rd and 4th rows` behind `work`, `then`: its bytes, and `rows 3 and 4`. */
 static size_t ordinals_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    static const char *const leads[] = {"work", "then", "rep", "repeat"}, *const rows[] = {"row", "rows", "rnd", "rnds", "round", "rounds"},
-                             *const ends[] = {"st", "nd", "rd", "th"}, *const joins[] = {"and", "to"};
+    static const char *const joins[] = {"and", "to"};
     size_t here = at, before = at, n;
     int number[2] = {0}, join = -1;
 
@@ -432,11 +426,11 @@ static size_t ordinals_length(const char *text, size_t at, char plain[static SIG
         before--;
     while (before > 0 && isalpha((unsigned char)text[before - 1]))
         before--;
-    if (before == at || words_find(text + before, leads, sizeof leads / sizeof *leads) < 0)
+    if (before == at || !words_are(text + before, WORDS_WORK | WORDS_AGAIN | WORDS_THEN))
         return 0;
     for (int i = 0; i < 2; i++) {
         n = strspn(text + here, "0123456789");
-        if (!n || n > 4 || words_find(text + here + n, ends, sizeof ends / sizeof *ends) < 0)
+        if (!n || n > 4 || !words_ordinal_length(text + here))
             return 0;
         number[i] = atoi(text + here);
         here += n + 2 + strspn(text + here + n + 2, " ");
@@ -445,7 +439,7 @@ static size_t ordinals_length(const char *text, size_t at, char plain[static SIG
             break;
         here += i == 0 ? words_length(text + here) + 1 : 0;
     }
-    if (words_find(text + here, rows, sizeof rows / sizeof *rows) < 0)
+    if (!words_are_rows(text + here))
         return 0;
     if (join < 0)
         snprintf(plain, SIGNS_PLAIN, "row %d", number[0]);

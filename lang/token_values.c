@@ -78,21 +78,8 @@ int scanner_number(struct scanner *scanner, struct span span, KNIT_STYPE *value,
 
 void scanner_number_word(KNIT_STYPE *value, const char *text)
 {
-    static const struct {
-        const char *word;
-        int number;
-    } words[] = {{"once", 1},  {"one", 1},  {"twice", 2}, {"two", 2},     {"thrice", 3},
-                 {"three", 3}, {"four", 4}, {"five", 5},  {"six", 6},     {"seven", 7},
-                 {"eight", 8}, {"nine", 9}, {"ten", 10},  {"eleven", 11}, {"twelve", 12},
-                 {"first", 1}, {"second", 2}, {"third", 3}, {"fourth", 4},   {"fifth", 5},
-                 {"sixth", 6}, {"seventh", 7}, {"eighth", 8}, {"ninth", 9},  {"tenth", 10},
-                 {"eleventh", 11}, {"twelfth", 12}};
-
-    value->number.value = 1;
+    value->number.value = words_value(text) ? words_value(text) : 1;
     value->number.dimension = 0;
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strcasecmp(text, words[i].word) == 0)
-            value->number.value = words[i].number;
 }
 
 /* Whether the last word is `rnd`, `rounds`, `rds`; not `row`, not `r`. */

@@ -1,46 +1,99 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * A place of a text in; what the words there count or say how many, out. */
+ * The vocabulary of work: a place of a text in; the classes of its word, and the number it says, out. */
 #include "lang/words.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
-bool words_are_rows(const char *text)
-{
-    static const char *const word[] = {"row", "rows", "round", "rounds", "rnd", "rnds", "rd", "rds"};
+struct word {
+    const char *word;
+    unsigned    classes;
+    int         number;
+};
 
-    return (*text == 'r' || *text == 'R') && words_find(text, word, sizeof word / sizeof *word) >= 0;
+/* Under their first letters. */
+static const struct word *const words[26] = {
+    ['a' - 'a'] = (const struct word[]){{"all", WORDS_EVERY, 0}, {0}},
+    ['b' - 'a'] = (const struct word[]){{"bind", WORDS_BIND, 0}, {"bo", WORDS_BIND, 0}, {0}},
+    ['c' - 'a'] = (const struct word[]){{"cast", WORDS_CAST, 0}, {"co", WORDS_CAST, 0}, {"cont", WORDS_GO_ON, 0},
+        {"continue", WORDS_GO_ON, 0}, {0}},
+    ['e' - 'a'] = (const struct word[]){{"each", WORDS_EVERY, 0}, {"eight", WORDS_NUMBER, 8},
+        {"eighth", WORDS_NTH, 8}, {"eleven", WORDS_NUMBER, 11}, {"eleventh", WORDS_NTH, 11}, {"end", WORDS_END, 0},
+        {"ending", WORDS_END, 0}, {"ends", WORDS_END, 0}, {"every", WORDS_EVERY, 0}, {0}},
+    ['f' - 'a'] = (const struct word[]){{"fifth", WORDS_NTH, 5}, {"finish", WORDS_END, 0},
+        {"finishing", WORDS_END, 0}, {"first", WORDS_NTH, 1}, {"five", WORDS_NUMBER, 5}, {"four", WORDS_NUMBER, 4},
+        {"fourth", WORDS_NTH, 4}, {0}},
+    ['g' - 'a'] = (const struct word[]){{"garter", WORDS_FABRIC, 0}, {0}},
+    ['k' - 'a'] = (const struct word[]){{"k", WORDS_PLAIN, 0}, {"knit", WORDS_PLAIN, 0}, {0}},
+    ['m' - 'a'] = (const struct word[]){{"moss", WORDS_FABRIC, 0}, {0}},
+    ['n' - 'a'] = (const struct word[]){{"nine", WORDS_NUMBER, 9}, {"ninth", WORDS_NTH, 9}, {"now", WORDS_THEN, 0},
+        {0}},
+    ['o' - 'a'] = (const struct word[]){{"once", WORDS_OFTEN, 1}, {"one", WORDS_NUMBER, 1}, {0}},
+    ['p' - 'a'] = (const struct word[]){{"p", WORDS_PLAIN, 0}, {"purl", WORDS_PLAIN, 0}, {0}},
+    ['r' - 'a'] = (const struct word[]){{"rd", WORDS_ROW, 0}, {"rds", WORDS_ROW, 0}, {"rep", WORDS_AGAIN, 0},
+        {"repeat", WORDS_AGAIN, 0}, {"rib", WORDS_FABRIC, 0}, {"ribbing", WORDS_FABRIC, 0}, {"rnd", WORDS_ROW, 0},
+        {"rnds", WORDS_ROW, 0}, {"round", WORDS_ROW, 0}, {"rounds", WORDS_ROW, 0}, {"row", WORDS_ROW, 0},
+        {"rows", WORDS_ROW, 0}, {"rs", WORDS_SIDE, 0}, {0}},
+    ['s' - 'a'] = (const struct word[]){{"second", WORDS_NTH, 2}, {"seed", WORDS_FABRIC, 0},
+        {"seven", WORDS_NUMBER, 7}, {"seventh", WORDS_NTH, 7}, {"six", WORDS_NUMBER, 6}, {"sixth", WORDS_NTH, 6},
+        {"st", WORDS_STITCH, 0}, {"stitch", WORDS_STITCH, 0}, {"stitches", WORDS_STITCH, 0},
+        {"stockinette", WORDS_FABRIC, 0}, {"sts", WORDS_STITCH, 0}, {0}},
+    ['t' - 'a'] = (const struct word[]){{"ten", WORDS_NUMBER, 10}, {"tenth", WORDS_NTH, 10}, {"then", WORDS_THEN, 0},
+        {"third", WORDS_NTH, 3}, {"three", WORDS_NUMBER, 3}, {"thrice", WORDS_OFTEN, 3}, {"time", WORDS_TIMES, 0},
+        {"times", WORDS_TIMES, 0}, {"twelfth", WORDS_NTH, 12}, {"twelve", WORDS_NUMBER, 12},
+        {"twice", WORDS_OFTEN, 2}, {"two", WORDS_NUMBER, 2}, {0}},
+    ['w' - 'a'] = (const struct word[]){{"work", WORDS_WORK, 0}, {"ws", WORDS_SIDE, 0}, {0}},
+};
+
+/* The word a text begins with; or NULL. */
+static const struct word *find(const char *text)
+{
+    const struct word *word = isalpha((unsigned char)*text) ? words[(*text | 0x20) - 'a'] : NULL;
+    size_t length = word ? words_length(text) : 0;
+
+    for (; word && word->word; word++)
+        if ((length == 1 || word->word[1] == (text[1] | 0x20)) && strncasecmp(word->word, text, length) == 0 && !word->word[length])
+            return word;
+    return NULL;
 }
 
-bool words_are_stitches(const char *text)
+unsigned words_class(const char *text)
 {
-    static const char *const word[] = {"st", "sts", "stitch", "stitches"};
+    const struct word *word = find(text);
 
-    return words_find(text, word, sizeof word / sizeof *word) >= 0;
+    return word ? word->classes : 0;
 }
 
-/* A number in letters; 0: none. */
-static int number_in_letters(const char *text)
+int words_value(const char *text)
 {
-    static const char *const word[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
+    const struct word *word = find(text);
 
-    return 1 + words_find(text, word, sizeof word / sizeof *word);
+    return word ? word->number : 0;
 }
 
 int words_number(const char *text)
 {
-    return isdigit((unsigned char)*text) ? (int)fmin(strtod(text, NULL), INT_MAX) : number_in_letters(text);
+    if (isdigit((unsigned char)*text))
+        return (int)fmin(strtod(text, NULL), INT_MAX);
+    return words_are(text, WORDS_NUMBER) ? words_value(text) : 0;
+}
+
+size_t words_ordinal_length(const char *text)
+{
+    static const char *const ending[] = {"st", "nd", "rd", "th"};
+    size_t digits = strspn(text, "0123456789");
+
+    return digits && words_find(text + digits, ending, 4) >= 0 ? digits + 2 : 0;
 }
 
 const char *words_behind_number(const char *text)
 {
-    static const char *const ordinal[] = {"st", "nd", "rd", "th"};
     size_t digits = strspn(text, "0123456789");
 
     if (digits)
-        return words_find(text + digits, ordinal, 4) < 0 ? words_skip_blanks(text + digits) : NULL;
-    return number_in_letters(text) ? words_skip_blanks(text + words_length(text)) : NULL;
+        return words_ordinal_length(text) ? NULL : words_skip_blanks(text + digits);
+    return words_are(text, WORDS_NUMBER) ? words_next(text) : NULL;
 }
 
 bool words_line_is_long(struct words_line *line, const char *text, size_t at)

@@ -158,11 +158,50 @@ int words_depth(const char *text, size_t length, int depth);
 
 /* ---- what they mean ---- */
 
-/* "row", "rnds" */
-bool words_are_rows(const char *text);
+/* Classes of the words of work; a word may be of several. */
+enum words_class {
+    WORDS_ROW    = 1 << 0,  /* row, rnds */
+    WORDS_STITCH = 1 << 1,  /* st, stitches */
+    WORDS_PLAIN  = 1 << 2,  /* k, knit, p, purl */
+    WORDS_WORK   = 1 << 3,  /* work */
+    WORDS_AGAIN  = 1 << 4,  /* rep, repeat */
+    WORDS_SIDE   = 1 << 5,  /* rs, ws */
+    WORDS_EVERY  = 1 << 6,  /* every, each, all */
+    WORDS_TIMES  = 1 << 7,  /* time, times */
+    WORDS_OFTEN  = 1 << 8,  /* once, twice, thrice */
+    WORDS_END    = 1 << 9,  /* end, ends, ending, finish, finishing */
+    WORDS_CAST   = 1 << 10, /* cast, co */
+    WORDS_GO_ON  = 1 << 11, /* cont, continue */
+    WORDS_FABRIC = 1 << 12, /* garter, seed, rib */
+    WORDS_NUMBER = 1 << 13, /* one to twelve */
+    WORDS_NTH    = 1 << 14, /* first to twelfth */
+    WORDS_THEN   = 1 << 15, /* then, now */
+    WORDS_BIND   = 1 << 16, /* bind, bo */
+};
 
-/* "st", "stitches" */
-bool words_are_stitches(const char *text);
+/* Those of the word a text begins with; 0: it is none. */
+unsigned words_class(const char *text);
+
+/* The number that `one`, `first`, `once` says; 0: another word. */
+int words_value(const char *text);
+
+static inline bool words_are(const char *text, unsigned classes)
+{
+    return words_class(text) & classes;
+}
+
+static inline bool words_are_rows(const char *text)
+{
+    return (*text | 0x20) == 'r' && words_are(text, WORDS_ROW);
+}
+
+static inline bool words_are_stitches(const char *text)
+{
+    return (*text | 0x20) == 's' && words_are(text, WORDS_STITCH);
+}
+
+/* Bytes of `1st`, `3rd`; or 0. */
+size_t words_ordinal_length(const char *text);
 
 /* Behind a text in quotes that begins at a place; inches are none. */
 size_t words_skip_quoted(const char *text, size_t at);
