@@ -15,10 +15,12 @@ static const char *skip_blanks(const char *text)
     return text + strspn(text, " \t-(");
 }
 
+enum { MOST = 4 };      /* words of a kind that follow each other */
+
 /* Behind those of some words that come next. */
 static const char *skip_any(const char *text, const char *const *word, int n)
 {
-    while (words_find(text, word, n) >= 0)
+    for (int i = 0; i < MOST && words_find(text, word, n) >= 0; i++)
         text = skip_blanks(text + words_length(text));
     return text;
 }
