@@ -316,6 +316,19 @@ static void put_emphasis(char *text, size_t at)
     memset(text + at + marks + n, ' ', marks);
 }
 
+/* A line end before the row of `purl 4Row 3: knit`. */
+static void put_line_end(char *text, size_t at)
+{
+    size_t n = words_length(text + at), number = at + n + (text[at + n] == ' '), digits = strspn(text + number, "0123456789");
+
+    if (at == 0 || !(islower((unsigned char)text[at - 1]) || isdigit((unsigned char)text[at - 1]) || text[at - 1] == ')') || !digits || text[number + digits] != ':')
+        return;
+    if (strncmp(text + at, "Row", n) == 0 && n == 3)
+        memcpy(text + at, "\nR ", 3);
+    else if (strncmp(text + at, "Round", n) == 0 && n == 5)
+        memcpy(text + at, "\nRnd ", 5);
+}
+
 /* Puts a blank for a backslash, a line end or a bar for a tag that stands for one. */
 static void put_mark(char *text, size_t at)
 {
@@ -325,6 +338,9 @@ static void put_mark(char *text, size_t at)
     switch (text[at]) {
     case '-':
         join_word(text, at);
+        break;
+    case 'R':
+        put_line_end(text, at);
         break;
     case '`':
         length = 1;
@@ -350,7 +366,7 @@ static void put_mark(char *text, size_t at)
         text[at] = line ? '\n' : '|';
 }
 
-static const char marks[] = "-`\\~[<*_\"{}";
+static const char marks[] = "-R`\\~[<*_\"{}";
 
 static void put_marks(char *text, size_t size)
 {

@@ -536,7 +536,7 @@ size_t prose_length(const struct scanner *scanner, const char *text)
 static bool asks_for_work(const char *text, size_t length)
 {
     static const char *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do", "begin", "start"},
-                             *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"},
+                             *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"}, *const keep[] = {"keep", "keeping", "maintain", "maintaining"},
                              *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
     size_t colon = strcspn(text, ":.\r\n");
     int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
@@ -554,6 +554,7 @@ static bool asks_for_work(const char *text, size_t length)
         asks |= first >= 0 && prose_times_follow(text + i);
         if (!isalpha((unsigned char)text[i]))
             continue;
+        asks |= words_find(text + i, keep, 4) >= 0 && words_number(behind);
         stitches += words_are(text + i, WORDS_PLAIN) && isdigit((unsigned char)*behind) && !isalpha((unsigned char)behind[strspn(behind, "0123456789")]);
         asks |= (words_are(text + i, WORDS_PLAIN | WORDS_WORK) || words_is(text + i, "rib")) && prose_rows_follow(behind);
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);

@@ -62,6 +62,14 @@ static size_t last_length(const char *text)
     return (size_t)(at - text);
 }
 
+/* `Repeat the instructions between the stars`, `Repeat the following four rows:`: nothing that is worked here. */
+static bool is_advice(const char *text)
+{
+    static const char *const word[] = {"instructions", "directions", "following"};
+
+    return words_is(text, "the") && words_find(words_next(text), word, 3) >= 0 && !prose_says_how_often(text);
+}
+
 /* `sections A and B`: its bytes to the sentence's end, or 0. */
 static size_t sections_length(const char *text)
 {
@@ -82,6 +90,8 @@ int repeats_kind(const char *text, size_t *length)
         return TOKEN_REPEAT_ROWS;
     }
     *length = words_length(text);
+    if (is_advice(word))
+        return 0;
     if ((n = ordinal_length(rows)) > 0)
         return prose_names_row(rows + n) ? TOKEN_REPEAT_ROWS : 0;
     if (words_is(word, "for"))

@@ -69,6 +69,7 @@ int scanner_token(struct scanner *scanner, int kind)
 {
     scanner->comma = false;
     scanner->previous = kind;
+    scanner->counted |= kind == TOKEN_FOR_ROWS || kind == TOKEN_FOR_TOTAL;
     scanner->texts += kind == TOKEN_PROSE ? 1 + (int)(scanner->at - scanner->token_end) / LIMIT_TEXT : 0;
     scanner->token_end = scanner->at;
     scanner->lines += kind == TOKEN_NEWLINE;
@@ -84,6 +85,7 @@ void scanner_begin(struct scanner *scanner, int statement)
 {
     scanner->statement = statement;
     scanner->statements++;
+    scanner->counted = false;
     scanner->stops = false;
     scanner->begun = true;
     scanner->bare = statement == TOKEN_CAST_ON;

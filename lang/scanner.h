@@ -41,6 +41,7 @@ struct scanner {
     bool          complained;       /* about a character of this line */
     bool          bold;             /* `**` was opened before this head */
     bool          begun;            /* a statement came before */
+    bool          counted;          /* this one has said for how many rows */
     bool          multiple;         /* of what the stitches are a multiple, and no row yet */
     int           bare;             /* the number of the next row, where rows without their names may stand; or 0 */
     bool          closed;           /* the stitches were cast off */
