@@ -41,13 +41,7 @@ static enum status print_json(const struct scene *scene)
     for (const struct setting *s = scene->setting; s < scene->setting + scene->nsettings; s++)
         if (s->is_param)
             add_param(list, s);
-    char *text = cJSON_Print(root);
-    cJSON_Delete(root);
-    if (!text)
-        return STATUS_FAILED;
-    printf("%s\n", text);
-    cJSON_free(text);
-    return STATUS_DONE;
+    return json_print(root) ? STATUS_DONE : STATUS_FAILED;
 }
 
 /* A number as a script has it: lengths are kept in millimetres. */

@@ -15,11 +15,5 @@ enum status command_version(const struct options *options)
     }
     cJSON *root = cJSON_CreateObject();
     build_describe(root);
-    char *text = cJSON_Print(root);
-    cJSON_Delete(root);
-    if (!text)
-        return STATUS_FAILED;
-    printf("%s\n", text);
-    cJSON_free(text);
-    return STATUS_DONE;
+    return json_print(root) ? STATUS_DONE : STATUS_FAILED;
 }

@@ -4,7 +4,7 @@ liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/code
     lang/diag.h lang/diag.c lang/diag_print.c lang/grid.c lang/limits.h lang/source.c \
     lang/names.h lang/names.c lang/ast.h lang/ast.c lang/parse.h lang/parse.c \
     lang/scanner.h lang/scanner.c lang/token_values.h lang/token_values.c lang/unreadable.c lang/brackets.c lang/line_ends.c \
-    lang/syntax.h lang/syntax.c lang/expected.h lang/expected.c lang/words.h lang/words.c lang/lengths.h lang/lengths.c lang/headings.h lang/headings.c lang/named.h lang/named.c lang/ribs.h lang/ribs.c lang/repeats.h lang/repeats.c lang/prose.h lang/prose.c lang/prose_parts.c lang/wording.h lang/wording.c \
+    lang/syntax.h lang/syntax.c lang/syntax_errors.c lang/expected.h lang/expected.c lang/words.h lang/words.c lang/lengths.h lang/lengths.c lang/headings.h lang/headings.c lang/named.h lang/named.c lang/ribs.h lang/ribs.c lang/repeats.h lang/repeats.c lang/prose.h lang/prose.c lang/prose_parts.c lang/wording.h lang/wording.c \
     lang/phrases.h lang/phrases.c \
     lang/signs.h lang/signs.c lang/remarks.h lang/row_phrases.h lang/remarks.c lang/row_phrases.c lang/printed.h lang/printed_parts.h lang/printed.c lang/printed_heads.c lang/printed_words.c lang/turns.h lang/turns.c \
     lang/marks.h lang/marks.c lang/joined.h lang/joined.c lang/heads.h lang/heads.c \
@@ -28,6 +28,6 @@ lang/lexer.c: lang/lexer.l
 	$(AM_V_GEN)$(MKDIR_P) lang && $(FLEX) -o $@ $(srcdir)/lang/lexer.l && \
 	    if grep -q yy_state_buf $@; then echo "lang/lexer.l: trailing context of any length" >&2; rm -f $@; exit 1; fi
 lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/token_values.$(OBJEXT) \
-    lang/unreadable.$(OBJEXT) lang/brackets.$(OBJEXT) lang/line_ends.$(OBJEXT) lang/syntax.$(OBJEXT) lang/expected.$(OBJEXT) lang/parse.$(OBJEXT) \
+    lang/unreadable.$(OBJEXT) lang/brackets.$(OBJEXT) lang/line_ends.$(OBJEXT) lang/syntax.$(OBJEXT) lang/syntax_errors.$(OBJEXT) lang/expected.$(OBJEXT) lang/parse.$(OBJEXT) \
     lang/ast.$(OBJEXT) lang/prose.$(OBJEXT) lang/prose_parts.$(OBJEXT) lang/repeats.$(OBJEXT) lang/format.$(OBJEXT) lang/row_words.$(OBJEXT) lang/spelling.$(OBJEXT) \
     lang/tokens.$(OBJEXT): lang/parser.h

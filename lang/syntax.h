@@ -18,6 +18,7 @@ int syntax_unknown_word(struct parse *, struct span, const char *expected);
 /* Whether a text looks like the stitches of a row: `k2`, `*`, `[`, `rep`. */
 bool syntax_is_row(const char *text);
 void syntax_too_deep(struct parse *, struct span);
+void syntax_star_is_left(struct parse *, struct span);  /* a star that no `rep from *` follows */
 
 struct row syntax_head(struct parse *, enum side round, enum side, struct row_numbers *);
 /* Rows without numbers: "knit 4 rows" (no count: every row), "work 6 rows in st st". */

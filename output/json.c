@@ -5,7 +5,7 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -100,4 +100,15 @@ cJSON *json_parse(const char *text, size_t size)
     cJSON *root = cJSON_ParseWithLengthOpts(text, size + 1, NULL, true);
     keep_numbers(root, &text);
     return root;
+}
+
+bool json_print(cJSON *root)
+{
+    char *text = cJSON_Print(root);
+    bool done = text;
+    if (done)
+        printf("%s\n", text);
+    cJSON_free(text);
+    cJSON_Delete(root);
+    return done;
 }

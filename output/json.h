@@ -5,6 +5,7 @@
 #define WEFT_JSON_H
 
 #include <cjson/cJSON.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -20,5 +21,8 @@ void json_text(cJSON *object, const char *key, const char *text);
 /* A JSON text (size bytes, then a zero) with nothing behind it; NULL otherwise.  Numbers stay the raw text they are
  * (cJSON_IsRaw), so that what is printed of it has the same digits. */
 cJSON *json_parse(const char *text, size_t size);
+
+/* Prints it, indented and with a line end, to standard output and deletes it; false: out of memory. */
+bool json_print(cJSON *);
 
 #endif

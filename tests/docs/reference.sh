@@ -41,7 +41,7 @@ while read -r key; do
     check "output key $key" grep -Eq -e "^\| .*\`$key\`" "$WEFT_SOURCE/docs/formats.md"
 done <"$work/output_keys"
 
-sed -n '/^const char \*const statement_word/,/^};/p' "$WEFT_SOURCE/lang/syntax.c" | grep -o '"[a-z]*"' | tr -d '"' >"$work/words"
+sed -n '/^const char \*const statement_word/,/^};/p' "$WEFT_SOURCE/lang/syntax_errors.c" | grep -o '"[a-z]*"' | tr -d '"' >"$work/words"
 check 'words of statements were found' test "$(wc -l <"$work/words")" -gt 20
 while read -r word; do
     names "statement $word" "^(#|\|).*\`([a-z ]* )?$word[ .\`]"

@@ -11,7 +11,7 @@ lines() { tr ' |,' '\n\n\n' | sed '/^$/d' | sort -u; }
 
 # Statements begin with these; `else` goes on with one.
 {
-    sed -n '/^const char \*const statement_word/,/^};/p' lang/syntax.c | grep -o '"[a-z]*"' | tr -d '"'
+    sed -n '/^const char \*const statement_word/,/^};/p' lang/syntax_errors.c | grep -o '"[a-z]*"' | tr -d '"'
     echo else
 } | lines >"$work/statements"
 sed -n '/^<\(USE_\|EXPR\)>{/,/^}/p' lang/lexer.l | sed -n 's/^    \([a-z]*\)  *{ TOKEN(.*/\1/p' | lines >"$work/words"
