@@ -28,9 +28,13 @@ static const char *skip_any(const char *text, const char *const *word, int n)
 /* `the right side`, `a WS row`, `RS`: which, and what stands behind it; open: none. */
 static enum side side_at(const char **text)
 {
-    static const char *const article[] = {"the", "a", "an", "on", "from", "worked", "always"}, *const sides[] = {"rs", "right", "ws", "wrong"}, *const row[] = {"row", "rows"};
-    const char *at = SKIP(*text, article), *word = skip_blanks(at + words_length(at));
-    int side = words_find(at, sides, 4);
+    static const char *const article[] = {"the", "a", "an", "on", "from", "worked", "always", "first"}, *const sides[] = {"rs", "right", "ws", "wrong"}, *const row[] = {"row", "rows"};
+    const char *at = SKIP(*text, article), *word;
+    int side;
+
+    at += strncasecmp(at, "1st ", 4) == 0 ? 4 : 0;
+    word = skip_blanks(at + words_length(at));
+    side = words_find(at, sides, 4);
 
     if (side < 0 || (side % 2 && !words_is(word, "side")))
         return SIDE_OPEN;
