@@ -31,7 +31,8 @@ enum {
     LIMIT_NAME         = 100,                   /* bytes of a name */
     LIMIT_MESSAGES     = 20,                    /* shown in one run */
     LIMIT_ERRORS       = 10 * 1000,             /* after them a script is read no further, */
-    LIMIT_WARNINGS     = 100 * 1000,            /* nor after these: one for each written row */
+    LIMIT_WARNINGS     = 100 * 1000,            /* nor after these: one for each written row, */
+    LIMIT_BEHIND       = 1000 * 1000,           /* nor behind so many words after the first error */
     LIMIT_PARSER_STACK = 4000                   /* symbols the parser holds */
 };
 

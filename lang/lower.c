@@ -29,7 +29,7 @@ static bool count_item(struct eval *eval, struct where where, const struct item 
 
     if (++eval->items == LIMIT_ITEMS + 1)
         diag_error(eval->diag, CODE_LIMIT_ROWS, span, "the rows have more than %d stitches and groups to work", LIMIT_ITEMS);
-    return eval_step(eval, span) && eval->items <= LIMIT_ITEMS;
+    return eval_step(eval, span) && eval->items <= LIMIT_ITEMS && !diag_is_full(eval->diag, span);
 }
 
 static bool lower_until(struct eval *eval, struct where where, const struct item *item, struct work *work)

@@ -222,7 +222,7 @@ static const struct spelling *spelling_at(const char *text)
     if (!strchr(spelling_first, *text))
         return NULL;
     for (size_t i = 0; i < sizeof spellings / sizeof *spellings; i++)
-        if (text[1] == spellings[i].text[1] && strncmp(text, spellings[i].text, strlen(spellings[i].text)) == 0)
+        if (text[1] == spellings[i].text[1] && (!spellings[i].text[2] || text[2] == spellings[i].text[2]) && strncmp(text, spellings[i].text, strlen(spellings[i].text)) == 0)
             return &spellings[i];
     return NULL;
 }

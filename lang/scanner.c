@@ -16,13 +16,15 @@ void scanner_advance(struct scanner *scanner, struct span *span, size_t length)
 {
     *span = (struct span){scanner->parse->source, scanner->at, scanner->at + (unsigned)length};
     scanner->at = span->end;
+    scanner->behind += scanner->parse->diag->nerrors > 0;
 }
 
 /* What there are too many of, lines of text for one, or NULL; and how many there may be. */
 static const char *has_too_many(const struct scanner *scanner, int *most)
 {
     const struct { int n, most; const char *of; } counted[] = {
-        {scanner->texts, LIMIT_TEXTS, "lines of text"}, {scanner->statements, LIMIT_STATEMENTS, "statements"}, {scanner->lines, LIMIT_LINES, "lines"}};
+        {scanner->texts, LIMIT_TEXTS, "lines of text"}, {scanner->statements, LIMIT_STATEMENTS, "statements"}, {scanner->lines, LIMIT_LINES, "lines"},
+        {scanner->behind, LIMIT_BEHIND, "words behind the first error"}};
 
     for (size_t i = 0; i < sizeof counted / sizeof *counted; i++)
         if (counted[i].n > (*most = counted[i].most))

@@ -29,7 +29,8 @@ struct scanner {
     struct parse *parse;
     unsigned      at;               /* bytes read */
     size_t        again;            /* and bytes read again, as they were given back or looked through */
-    int           texts, statements, lines;     /* of the file so far: prose, what is none, and what ended either */
+    int           texts, statements, lines;     /* of the file so far: prose, what is none, and what ended either; */
+    int           behind;           /* words and signs behind the first error */
     struct words_line line;         /* that is read */
     int           start;            /* the token that comes before all others */
     int           statement;        /* the token that began this statement */

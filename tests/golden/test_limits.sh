@@ -154,6 +154,8 @@ make 'for (i = 0; i < 900000; i++) print "; ; ; ;"'
 lean_limit E0714 'statements of nothing'
 make 'for (i = 0; i < 1000001; i++) print "# remark"'
 lean_limit E0701 'more than a million lines'
+make 'for (i = 0; i < 10; i++) { for (j = 0; j < 240000; j++) printf "<b>"; print "" }'
+lean_limit E0714 'words behind an error'
 each=8
 make 'for (i = 0; i < 900000; i++) print "Row 1: [x](y)"'
 lean_limit E0714 'more rows than may be worked'

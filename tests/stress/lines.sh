@@ -121,6 +121,39 @@ same as
 rep from *
 END
 
+# ---- ten million bytes ----
+
+# Refused within the processor time (measured: 0.5 s at most) and in less than 1.5 GB of memory.
+bytes=10000000
+while read -r fragment; do
+    : >wrong
+    for length in 12 3900 990000; do
+        case $length in
+            12) yes "$fragment $fragment" | head -c $bytes ;;
+            *) yes "$fragment " | tr -d '\n' | fold -b -w $length | head -c $bytes ;;
+        esac >x.knit
+        (ulimit -t $seconds; [ $seconds -gt 2 ] || ulimit -v 1500000; exec "$WEFT" check x.knit) >out 2>&1 </dev/null
+        [ $? = 3 ] || echo "in lines of $length: $(head -c 200 out)" >>wrong
+    done
+    yes "$fragment" | head -c $bytes >x.knit
+    (ulimit -t $seconds; [ $seconds -gt 2 ] || ulimit -v 1500000; exec "$WEFT" fmt x.knit) >out 2>&1 </dev/null
+    [ $? = 3 ] || echo "to be formatted: $(head -c 200 out)" >>wrong
+    empty "ten million bytes of $fragment" wrong
+done <<'END'
+st st
+work in
+k2
+repeat
+row
+*
+until
+Row 1: [x](y)
+Row 1: k2
+“
+&
+<b>
+END
+
 # ---- one long word ----
 
 # long NAME CHARACTER: as a name, a number, a gap in every register of the language.
