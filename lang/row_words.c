@@ -239,10 +239,16 @@ static bool is_one(const struct row_numbers *part)
     return !part->last && (!part->next || part->next->all);
 }
 
+/* A page may call its rounds rows. */
+static bool is_called_round(const struct row *row)
+{
+    return row->round && strncasecmp(row->head.source->text + row->head.start, "row", 3) != 0;
+}
+
 static void put_head(struct writer *w, const struct row *row)
 {
     static const char *const sides[] = {"", " (RS)", " (WS)"};
-    const char *noun = row->round ? "Rnd" : "Row", *side = sides[row->side];
+    const char *noun = is_called_round(row) ? "Rnd" : "Row", *side = sides[row->side];
 
     if (row->numbers && row->numbers->all) {
         put_all(w, row->numbers, "All");
@@ -261,7 +267,7 @@ static void put_head(struct writer *w, const struct row *row)
 
 static void put_row(struct writer *w, const struct row *row)
 {
-    w->noun = row->round ? "rnd" : "row";
+    w->noun = is_called_round(row) ? "rnd" : "row";
     put_head(w, row);
     layout_column(w->out, LAYOUT_ROW);
     if (row->body == BODY_AS_ROW)
