@@ -308,8 +308,7 @@ bool prose_repeat_follows(const char *text)
 /* Behind a sentence of two words or more, none of which is a row's; NULL: it is none. */
 static const char *behind_remark(const char *text)
 {
-    static const char *const work[] = {"k", "p", "knit", "knits", "purl", "purls", "rep", "repeat", "row", "rows", "rnd", "round", "rs", "ws", "st", "sts", "stitch",
-                                       "stitches", "times", "twice", "end", "ending", "last", "across", "slip", "sl", "wrap", "work", "cast", "bind", "as", "same", "turn"};
+    static const char *const work[] = {"end", "ending", "knits", "purls", "last", "across", "slip", "sl", "wrap", "as", "same", "turn"};
     int words = 0, nwork = sizeof work / sizeof *work - words_is(text, "do");
 
     if (!isupper((unsigned char)*text) || words_length(text) < 2)
@@ -317,7 +316,7 @@ static const char *behind_remark(const char *text)
     for (; *text && !strchr(".!\r\n", *text); words++) {
         size_t n = words_length(text);
 
-        if (!n || words_find(text, work, nwork) >= 0)
+        if (!n || words_are(text, WORDS_OF_ROW | WORDS_STITCH | WORDS_WORK | WORDS_CAST | WORDS_BIND) || words_find(text, work, nwork) >= 0)
             return NULL;
         text += n;
         text += strspn(text, " \t,'-");
@@ -471,15 +470,15 @@ bool prose_names_needle(const char *text)
 /* The words of a sentence without a sign, a number or a word of a row's text; 0: it has one. */
 static int told_words(const char *text)
 {
-    static const char *const work[] = {"rs", "ws", "right", "wrong", "k", "p", "knit", "purl", "as", "rep", "repeat", "same", "work", "to", "and", "all",
-                                       "set", "setup", "row", "rows", "st", "sts", "garter", "seed", "moss", "rib", "through", "sl", "slip", "yo", "inc", "dec",
-                                       "increase", "decrease", "cast", "bind", "co", "bo", "across", "end", "in", "with", "cable", "cross"};
+    static const char *const work[] = {"right", "wrong", "as", "same", "to", "and", "all", "end", "set", "setup", "through", "sl", "slip", "yo",
+                                       "inc", "dec", "increase", "decrease", "across", "in", "with", "cable", "cross"};
+    const unsigned worked = WORDS_OF_ROW | WORDS_STITCH | WORDS_WORK | WORDS_FABRIC | WORDS_CAST | WORDS_BIND;
     int words = 0;
 
     for (text = words_skip_blanks(text); *text && !strchr("\r\n", *text); words++) {
         size_t n = words_length(text);
 
-        if (!n || (text[n] != '?' && words_find(text, work, sizeof work / sizeof *work) >= 0))
+        if (!n || (text[n] != '?' && (words_are(text, worked) || words_find(text, work, sizeof work / sizeof *work) >= 0)))
             return 0;
         text += n;
         text += strspn(text, " \t,.!?'-");
@@ -527,7 +526,7 @@ bool prose_works_until(const char *text)
 
 bool prose_is_measure(const char *text)
 {
-    static const char *const work[] = {"k", "p", "knit", "purl", "cast", "co", "rep", "repeat", "work", "bind", "row", "round", "rnd"},
+    static const char *const work[] = {"row", "round", "rnd"},
                              *const unit[] = {"cm", "cms", "mm", "in", "ins", "inch", "inches", "st", "sts", "stitches", "rows", "rounds",
                                               "ball", "balls", "skein", "skeins", "hank", "hanks", "yard", "yards", "yds", "g", "gm", "gms", "grams", "oz"};
     bool number = false, units = false, equation = false;   /* `16 sts = 4 in` */
@@ -535,7 +534,7 @@ bool prose_is_measure(const char *text)
     for (size_t n; *text && !words_ends_line(*text); text += n ? n : 1) {
         n = words_length(text);
         equation |= units && *text == '=';
-        if (n ? words_find(text, work, sizeof work / sizeof *work) >= 0 : strchr(equation ? "*{}|<>" : "*={}|<>", *text) != NULL)
+        if (n ? words_are(text, WORDS_PLAIN | WORDS_CAST | WORDS_BIND | WORDS_AGAIN | WORDS_WORK) || words_find(text, work, sizeof work / sizeof *work) >= 0 : strchr(equation ? "*{}|<>" : "*={}|<>", *text) != NULL)
             return equation;
         number |= isdigit((unsigned char)*text) != 0;
         units |= number && n && words_find(text, unit, sizeof unit / sizeof *unit) >= 0;

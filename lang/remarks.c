@@ -18,15 +18,14 @@ bool remarks_are(const char *text, size_t length)
 {
     static const char *const where[] = {"border", "borders", "edge", "edges", "edging", "selvedge", "selvage", "center", "centre", "middle",
                                         "panel", "body", "main", "left", "bottom", "top", "margin", "corner", "sts", "stitches", "ridge", "fold", "hem"},
-                             *const work[] = {"k", "p", "knit", "purl", "twice", "once", "thrice", "times", "rep", "repeat", "row", "rows",
-                                              "end", "rs", "ws", "wrong", "all", "st", "stitch", "and"};
+                             *const work[] = {"wrong", "all", "st", "stitch", "and", "end"};
     bool found = false;
 
     for (size_t at = 0, n; at < length; at += n ? n : 1) {
         n = words_length(text + at);
         if (!n && !strchr(" -,:'/", text[at]))
             return false;
-        if (n && words_find(text + at, work, sizeof work / sizeof *work) >= 0)
+        if (n && (words_are(text + at, WORDS_OF_ROW) || words_find(text + at, work, sizeof work / sizeof *work) >= 0))
             return false;
         found |= n && words_find(text + at, where, sizeof where / sizeof *where) >= 0;
     }
@@ -223,13 +222,12 @@ size_t remarks_bar(const char *text, size_t at)
 
 size_t remarks_chatter(const char *text)
 {
-    static const char *const work[] = {"k", "p", "knit", "purl", "twice", "times", "rep", "repeat", "row", "rows", "end", "rs", "ws", "through", "back",
-                                       "loop", "loops", "front", "yarn", "with", "in", "as", "if", "color", "colour", "twisted", "slip", "wrap", "turn"};
+    static const char *const work[] = {"end", "through", "back", "loop", "loops", "front", "yarn", "with", "in", "as", "if", "color", "colour", "twisted", "slip", "wrap", "turn"};
     size_t at = 1, n, words = 0;
 
     for (; text[at] && !strchr("\r\n()", text[at]); at += n ? n : 1) {
         n = words_length(text + at);
-        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : !strchr(" ,.!?;'\xE2\x80\x99-", text[at]))
+        if (n ? (words_are(text + at, WORDS_OF_ROW) || words_find(text + at, work, sizeof work / sizeof *work) >= 0) : !strchr(" ,.!?;'\xE2\x80\x99-", text[at]))
             return 0;
         words += n > 0;
     }
