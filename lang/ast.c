@@ -428,12 +428,26 @@ static unsigned sentence_end(const struct parse *parse, struct span span)
     return end;
 }
 
+/* Whether `worked`, `done` stands between two places of the text as it was written. */
+static bool says_worked(struct span span, unsigned end)
+{
+    static const char *const words[] = {"worked", "done", "completed", "knitted"};
+    const char *text = span.source->text;
+
+    for (unsigned at = span.start; at < end; at += words_length(text + at) ? (unsigned)words_length(text + at) : 1)
+        if (words_find(text + at, words, 4) >= 0)
+            return true;
+    return false;
+}
+
 struct stmt *stmt_again(struct parse *parse, struct span span, struct again again)
 {
     struct stmt *stmt = ast_stmt(parse, STMT_AGAIN, span);
+    unsigned end = sentence_end(parse, span);
 
     stmt->again = again;
-    stmt->again.from = named_rows(&parse->named, span.start, sentence_end(parse, span), &stmt->again.several);
+    stmt->again.worked = says_worked(span, end);
+    stmt->again.from = named_rows(&parse->named, span.start, end, &stmt->again.several);
     return stmt;
 }
 

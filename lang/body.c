@@ -428,6 +428,18 @@ static bool check_rib(struct eval *eval, const struct stmt *stmt, const struct b
     return true;
 }
 
+/* `until 20 rows have been worked`, `for a total of 20 rows`: whether others, worked before, are among these is not said. */
+static void warn_since_when(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body,
+                            struct row_texts texts, long long n)
+{
+    bool total = again->kind == AGAIN_TOTAL_ROWS;
+
+    if (!(total || (again->kind == AGAIN_UNTIL_ROWS && again->worked)) || !rows_come_before(body->rows, texts, !total))
+        return;
+    diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows before these are among the %lld is not said: they are%s", n, total ? " not" : "");
+    diag_hint(eval->diag, total ? "`until piece has %lld rows` counts all" : "`for a total of %lld rows` counts these alone", n);
+}
+
 static bool run_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again,
                       struct body *body)
 {
@@ -447,6 +459,7 @@ static bool run_again(struct eval *eval, struct where where, const struct stmt *
     if (!find_rows(eval, where, stmt, again, body, &texts) || (again->rib && !check_rib(eval, stmt, body, texts)))
         return false;
     rows_both_sides(body->rows, texts);
+    warn_since_when(eval, stmt, again, body, texts, n);
     if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))
         n = 1;
     if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {

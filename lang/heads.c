@@ -65,6 +65,34 @@ static size_t label_length(const char *text)
     return 0;
 }
 
+size_t heads_rows_named(const char *text)
+{
+    static const char *const not_it[] = {"all", "every", "each", "even", "odd", "uneven", "next", "last", "first", "other", "following", "set", "setup", "prep", "as",
+                                         "preparation", "foundation", "base", "rs", "ws", "right", "wrong", "alternate", "from", "to", "until", "end", "starting", "beg",
+                                         "purl", "k", "p", "work", "and", "the", "for", "on", "in", "then", "now", "of", "same", "like", "this", "these", "a"};
+    size_t at = 0, words = 0;
+
+    for (; words < 3 && isalpha((unsigned char)text[at]) && !words_are_rows(text + at); words++) {
+        if (prose_row_word(text + at) || words_find(text + at, not_it, sizeof not_it / sizeof *not_it) >= 0)
+            return 0;
+        at += words_length(text + at);
+        at += strspn(text + at, " ");
+    }
+    return words && text[at - 1] == ' ' && prose_row_follows(text + at) ? at : 0;
+}
+
+size_t heads_label(const char *text)
+{
+    size_t at = heads_rows_named(text), end = at + words_length(text + at) + 1;
+
+    if (!at)
+        return 0;
+    end += strspn(text + end, "0123456789 ,&-");
+    end += words_is(text + end, "and") ? 3 + strspn(text + end + 3, "0123456789 ") : 0;
+    end += strncasecmp(text + end, "(rs)", 4) == 0 || strncasecmp(text + end, "(ws)", 4) == 0 ? 4 : 0;
+    return text[end] == ':' ? at : 0;
+}
+
 /* How long `Row 1:` is before a cast-on; or 0. */
 static size_t first_row_length(const char *text)
 {
@@ -326,7 +354,7 @@ size_t heads_length(const char *text, bool inside, bool *stop)
         return length;
     if (!inside && memchr(text, '|', words_line_length(text)) && !is_statement(text))
         return table_length(text);
-    if ((length = title_length(text)) || (length = label_length(text)))
+    if ((length = title_length(text)) || (length = label_length(text)) || (length = inside ? 0 : heads_label(text)))
         return length;
     return (length = part_length(text)) ? length : first_row_length(text);
 }

@@ -11,6 +11,10 @@
  * alone. 0: none of these. `stop`: the last of them is to be a full stop, as a row's number stands before it. */
 size_t heads_length(const char *text, bool inside, bool *stop);
 
+/* How long `Rib ` is before `row 1`, `rows 1 and 2`, and the same before a row's head with its colon; or 0. */
+size_t heads_rows_named(const char *text);
+size_t heads_label(const char *text);
+
 /* How long `Cast on:` alone on its line is, with the line end where `20 sts` follows behind it; 0: another line. */
 size_t heads_cast_on(const char *text);
 

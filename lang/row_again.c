@@ -165,6 +165,13 @@ void rows_define(struct row_list *list)
     list->loose = true;
 }
 
+bool rows_come_before(const struct row_list *list, struct row_texts texts, bool unnumbered)
+{
+    if (!list->norder || !texts.n)
+        return false;
+    return unnumbered ? !list->order[0]->label || list->part : list->last_label && list->label[list->first_label] != texts.text[0];
+}
+
 bool rows_worked(const struct row_list *list, struct row_texts texts)
 {
     for (int i = 0; i < list->norder && texts.n; i++)

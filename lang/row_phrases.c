@@ -87,3 +87,41 @@ size_t row_phrases_sided(const char *text, size_t at, char plain[static SIGNS_PL
     strcpy(plain, (stitch[0] == 'k') == (side[0] == 'r') ? "st st" : "rev st st");
     return second + on_side_length(text + second, &stitch[1], &side[1]) - at;
 }
+
+/* Behind words of a list and the blanks between. */
+static const char *skip_words(const char *text, const char *const *word, int n)
+{
+    text = words_skip_blanks(text);
+    while (words_find(text, word, n) >= 0)
+        text = words_skip_blanks(text + words_length(text));
+    return text;
+}
+
+size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const lead[] = {"work", "cont", "continue", "in", "the", "pattern", "patt", "pat", "until", "till", "you", "have", "there", "are", "worked"},
+                             *const of[] = {"full", "complete", "completed", "whole", "pattern", "repeat", "repeats", "reps", "repetitions", "of", "the"},
+                             *const joins[] = {"to", "and", "through"},
+                             *const done[] = {"have", "has", "are", "is", "been", "worked", "completed", "complete", "done", "made", "knitted"};
+    const char *number = words_find(text + at, lead, 3) >= 0 ? skip_words(text + at, lead, 15) : text + at, *rows, *first, *last, *end;
+    bool until = false;
+    int n = number > text + at && words_behind_number(number) ? words_number(number) : 0;
+
+    if (n < 1)
+        return 0;
+    rows = skip_words(words_behind_number(number), of, 11);
+    first = words_skip_blanks(rows + words_length(rows));
+    if (!words_are_rows(rows) || !isdigit((unsigned char)*first) || tolower((unsigned char)rows[words_length(rows) - 1]) != 's')
+        return 0;
+    for (const char *word = text + at; word < number; word += words_length(word) + 1)
+        until |= words_is(word, "until") || words_is(word, "till");
+    last = first + strspn(first, "0123456789");
+    last += strspn(last, " -\xE2\x80\x93");
+    last = skip_words(last, joins, 3);
+    end = last + strspn(last, "0123456789");
+    if (end == last || rows - number > 80)
+        return 0;
+    end = skip_words(end, done, 11);
+    snprintf(plain, SIGNS_PLAIN, until ? "rep %.*s %d-%d %d x in all" : "work %.*s %d-%d %d x", (int)words_length(rows), rows, atoi(first), atoi(last), n);
+    return strchr(".,;\r\n", *end) && strlen(plain) + 1 < SIGNS_PLAIN && strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
+}

@@ -16,4 +16,7 @@ size_t row_phrases_alternate(const char *text, size_t at, char plain[static SIGN
 /* `purl on RS, knit on WS`: a fabric. */
 size_t row_phrases_sided(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
+/* `Work until 3 full repeats of rows 1-4 have been completed`: those rows, so often in all. */
+size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
 #endif

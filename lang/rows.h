@@ -139,6 +139,9 @@ bool rows_are_rib(struct row_texts);
 /* Whether others were worked behind these. */
 bool rows_passed(const struct row_list *, struct row_texts);
 
+/* Whether others that have numbers come before these, or, `unnumbered`, others before all that have numbers. */
+bool rows_come_before(const struct row_list *, struct row_texts, bool unnumbered);
+
 /* Whether the first of these was worked. */
 bool rows_worked(const struct row_list *, struct row_texts);
 

@@ -548,6 +548,7 @@ static const struct sign {
     {"(", false, .says = row_phrases_star},
     {"aA", true, .says = row_phrases_alternate},
     {"kKpP", true, .says = row_phrases_sided},
+    {"wWcC", true, .says = row_phrases_repeats},
     {"\t", false, .skips = remarks_column},
     {"p", true, .is = is_plain_row, 5, "knit"},
     {"([rRwW", true, .says = side_head_length},

@@ -86,9 +86,11 @@ const struct phrase turns_of_pages[] = {
     {"knitting =# =,|and =and? =purl =#", "knit"},
     {"purling =# =,|and =and? =knit =#", "purl"},
     {"^ and? then =# =row|rows|round|rounds|rnd|rnds =in", "work"},
-    {"=work # repeats|reps of the? pattern|patt", "these rows # times"},
     {"=work the|this # -? row|round pattern|patt|pat|repeat|rep ,? =#|once|twice", "these rows"},
     {"< change|switch|go back? to the|your? main|contrast|contrasting|first|second|original|other color|colour|yarn and =work|knit|purl|repeat|rep", ""},
+    {"=work # full|complete? pattern|patt|pat? repeats|reps|repetitions of the? pattern|patt", "these rows # times"},
+    {"=work # full|complete|whole? pattern|patt|pat repeats|reps|repetitions", "these rows # times"},
+    {"=work # full|complete|whole? pattern|patt|pat repeats|reps|repetitions", "these rows # x"},
     {"< change|switch to pattern|pat and|, work =#", "work"},
     {"< change|switch to pattern|pat =for|until|till", "work in pat"},
     {"=pattern|patt|pat|rib|ribbing|st|stitch ,|;? and? then work? =# =row|rows|round|rounds|rnd|rnds =in", ". work"},
@@ -347,13 +349,13 @@ const struct phrase turns_of_books[] = {
     /* rows again */
     {"=# incl.|incl|inclusive", ""},
     {"=row|rows|round|rounds|rnd|rnds alternately", ""},
-    {"=time|times|twice|once|more|thrice ,? then|and|and then? cast|bind off", "; bind off"},
+    {"=time|times|twice|once|more|thrice|x ,? then|and|and then? cast|bind off", "; bind off"},
     {"=time|times|twice|once|more|thrice ,? and cast|bind off", "; bind off"},
     {"=row|rows|round|rounds|rnd|rnds the same", ""},
     {"=row|rows|round|rounds|rnd|rnds in the|this same? way|manner", ""},
     {"=row|rows|round|rounds|rnd|rnds thus|so|likewise", ""},
     {"continue|cont|cont.|work|proceed in|on this|these|the|same? same? way|manner|fashion|lines", "work in patt"},
-    {"work|continue|cont|repeat|rep until|till # complete? patterns|patts|pattern|repeats are|have|has been? completed|worked|done|complete|made", "rep them # times in all"},
+    {"work|continue|cont|repeat|rep in? the? pattern|patt|pat? until|till # complete|full|pattern? patterns|patts|pattern|repeats|reps are|have|has|is been? completed|worked|done|complete|made", "rep them # times in all"},
 
     /* within a row */
     {"( r . s .? facing )", "(rs)"},

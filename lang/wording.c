@@ -157,6 +157,9 @@ struct wording {
     bool copied;
     size_t sizes;       /* where the cast-on names further sizes, nsizes of them; 0: none */
     int nsizes;
+    size_t label, nlabel;       /* the words before the rows of this part, `Rib row 1:`, as they were written; 0: none */
+    bool labelled;              /* those of a part have such words */
+    const char *written;
     size_t blank, behind_blank; /* a part of the text without a sign */
 };
 
@@ -280,12 +283,33 @@ static void put_head(struct wording *w, size_t at, bool inside)
             memcpy(own_text(w) + at, "cast on", 7);
         return;
     }
+    if (!inside && (heads_label(w->text + at) || prose_row_follows(w->text + at))) {
+        w->label = at;
+        w->nlabel = heads_label(w->text + at);
+        w->labelled |= w->nlabel > 0;
+    }
     if (length && stop)
         memset(own_text(w) + at + digits, ' ', length - digits);
     else if (length)
         memset(own_text(w) + at, ' ', length);
     if (length && stop)
         own_text(w)[at + digits] = '.';
+}
+
+/* Of `Repeat rib rows 1 and 2` behind `Rib row 2:` the name goes; behind rows of another name it is a section's. */
+static void put_labelled(struct wording *w, size_t rep)
+{
+    size_t at = rep + one_of("repeat|rep|work", w->text + rep), named, n;
+
+    at += strspn(w->text + at, " ");
+    named = at + (words_is(w->text + at, "the") ? strlen("the ") : 0);
+    n = heads_rows_named(w->text + named);
+    if (!n || !w->labelled)
+        return;
+    if (n == w->nlabel && strncasecmp(w->text + named, w->written + w->label, n) == 0)
+        memset(own_text(w) + at, ' ', named + n - at);
+    else if (one_of("repeat|rep", w->text + rep) && (w->nlabel || !one_of("pattern|patt|pat|main|stitch", w->text + named)))
+        memcpy(own_text(w) + named, "section", strlen("section"));
 }
 
 /* Leaves of `Cast on a multiple of 4 (I used 24)` the number that was. */
@@ -499,7 +523,7 @@ static void put_rounds(struct wording *w)
 
 const char *wording_plain(struct arena *arena, const char *text, size_t size, bool *joined)
 {
-    struct wording w = {.arena = arena, .text = text, .size = size};
+    struct wording w = {.arena = arena, .text = text, .size = size, .written = text};
     struct phrases *phrases = phrases_read(arena, turns_of_pages, turns_of_pages_number), *printed = phrases_read(arena, turns_of_books, turns_of_books_number);
     struct words_line line = {0};
     int depth = 0;
@@ -541,6 +565,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size, bo
             put_inner(&w, at);
         if (strchr("cC", c) && c && (at == 0 || !isalnum((unsigned char)w.text[at - 1])))
             put_example(&w, at);
+        if (strchr("rRwW", c) && c && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && one_of("repeat|rep|work", w.text + at))
+            put_labelled(&w, at);
         if (c == '{' && braces_length(w.text + at)) {
             own_text(&w)[at + braces_length(w.text + at) - 1] = ')';
             own_text(&w)[at] = '(';
