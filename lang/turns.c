@@ -349,7 +349,7 @@ const struct phrase turns_of_books[] = {
     /* rows again */
     {"=# incl.|incl|inclusive", ""},
     {"=row|rows|round|rounds|rnd|rnds alternately", ""},
-    {"=time|times|twice|once|more|thrice|x ,? then|and|and then? cast|bind off", "; bind off"},
+    {"=time|times|twice|once|more|thrice ,? then|and|and then? cast|bind off", "; bind off"},
     {"=time|times|twice|once|more|thrice ,? and cast|bind off", "; bind off"},
     {"=row|rows|round|rounds|rnd|rnds the same", ""},
     {"=row|rows|round|rounds|rnd|rnds in the|this same? way|manner", ""},
