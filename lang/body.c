@@ -350,9 +350,14 @@ static bool run_row(struct eval *eval, struct where where, const struct stmt *st
         else if (!all)
             rows_add_next(body->rows, run.text);
     }
-    for (const struct row_numbers *part = row->numbers; part; part = part->next)
+    for (const struct row_numbers *part = row->numbers; part; part = part->next) {
+        long long last = 0;
+
+        if (part->all && part->last && !eval_whole(eval, where, part->last, 1, LIMIT_WRITTEN_ROWS, "a row number", &last))
+            return false;
         if (part->all)
-            rows_fill(body->rows, run.text, part->all, run.labels.n ? run.labels.label[0] : 1);
+            rows_fill(body->rows, run.text, part->all, run.labels.n ? run.labels.label[0] : 1, (int)last);
+    }
     return true;
 }
 

@@ -14,7 +14,7 @@ static const double SHORTEST = 10;      /* mm; less is a needle */
 static const struct unit {
     const char *sign;
     double millimetres;
-} units[] = {{"\"", 25.4},      {"''", 25.4},  {"\xE2\x80\xB3", 25.4}, {"\xE2\x80\x9D", 25.4},
+} units[] = {{"\"", 25.4},      {"''", 25.4},  {"\xE2\x80\xB3", 25.4}, {"\xE2\x80\x9D", 25.4}, {"\xE2\x80\x9C", 25.4},
              {"inches", 25.4},  {"inch", 25.4}, {"ins", 25.4},         {"in", 25.4},
              {"centimetres", 10}, {"centimeters", 10}, {"cms", 10},    {"cm", 10}, {"mm", 1}};
 enum { UNITS = sizeof units / sizeof *units };

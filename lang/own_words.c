@@ -50,7 +50,7 @@ static bool has_own_words(const struct token *first, const struct token *end, co
             if (t->kind == words[i])
                 return true;
     for (const struct row_numbers *part = row ? row->numbers : NULL; part; part = part->next)
-        if (part->all == ALL_EVERY)
+        if (part->all == ALL_EVERY || (part->all && part->last))
             return true;
     if (row && row->item && is_unmarked(row))
         return true;

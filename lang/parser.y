@@ -445,6 +445,7 @@ part:
   count                                 { $$ = ast_row_numbers(parse, @$, $count, NULL, ALL_NONE); }
 | count[first] RANGE count[last]        { $$ = ast_row_numbers(parse, @$, $first, $last, ALL_NONE); }
 | ALL                                   { $$ = ast_row_numbers(parse, @$, NULL, NULL, $ALL.kind); $$->round = $ALL.round; }
+| ALL RANGE count                       { $$ = ast_row_numbers(parse, @1, NULL, $count, $ALL.kind); $$->round = $ALL.round; }
 | part[of] SIDE                         { $$ = $of; $$->side = $SIDE; }
 | part[of] ROW_WORD                     { $$ = $of; $$->round |= $ROW_WORD == SIDE_RS; }
 ;

@@ -17,7 +17,7 @@
 #include "lang/typos.h"
 #include "lang/words.h"
 
-enum { TITLE_LINES = 3, TITLE_WORDS = 10, SENTENCE = 6, LONG_SENTENCE = 8, SHORT_SENTENCE = 2 };
+enum { TITLE_LINES = 3, TITLE_WORDS = 10, SENTENCE = 6, LONG_SENTENCE = 8, SHORT_SENTENCE = 2, NAME_WORDS = 3 };
 
 /* The next line that is not empty. */
 static const char *next_line(const char *text)
@@ -209,8 +209,8 @@ static bool has_call(const char *text)
     return false;
 }
 
-/* Whether so many plain words stand on the line that signs and stitches among them do not matter. */
-bool prose_is_long(const char *text)
+/* Words of a line that are none of work. */
+static int count_plain(const char *text)
 {
     const unsigned work = WORDS_PLAIN | WORDS_AGAIN | WORDS_ROW | WORDS_STITCH | WORDS_TIMES | WORDS_OFTEN | WORDS_THEN | WORDS_END;
     static const char *const idle[] = {"from", "last", "until", "remaining", "again", "more", "across", "and", "the"};
@@ -221,7 +221,19 @@ bool prose_is_long(const char *text)
         length = words_length(text + at);
         words += length > 2 && !words_are(text + at, work) && words_find(text + at, idle, sizeof idle / sizeof *idle) < 0;
     }
-    return words >= (words_find(text, sentence_word, nsentence_words) >= 0 ? SHORT_SENTENCE : LONG_SENTENCE) && text[words_length(text)] == ' ';
+    return words;
+}
+
+/* Whether so many plain words stand on the line that signs and stitches among them do not matter. */
+bool prose_is_long(const char *text)
+{
+    return count_plain(text) >= (words_find(text, sentence_word, nsentence_words) >= 0 ? SHORT_SENTENCE : LONG_SENTENCE) && text[words_length(text)] == ' ';
+}
+
+/* `Modified K3 - P3 Prayer Shawl`: stitches that are a part of a name. */
+static bool names_stitches(const char *text)
+{
+    return isupper((unsigned char)*text) && words_length(text) > 3 && !prose_row_word(text) && !line_has(text, ":,;") && count_plain(text) >= NAME_WORDS;
 }
 
 bool prose_is_named_row(const char *text)
@@ -340,7 +352,7 @@ bool prose_is_title(const char *text)
     if (line_has(text, "{}[]=<>*|") || has_file_name(text))
         return false;
     text += strspn(text, "\"'");
-    return !is_mistyped(text) && !syntax_is_row(text) && !has_stitches(text) && !has_call(text) && !has_count(text) && count_words(text) > 0 &&
+    return !is_mistyped(text) && !syntax_is_row(text) && (!has_stitches(text) || names_stitches(text)) && !has_call(text) && !has_count(text) && count_words(text) > 0 &&
            count_words(text) <= TITLE_WORDS && (words_length(text) > 0 || count_words(text) > 1);
 }
 
@@ -531,6 +543,12 @@ size_t prose_length(const struct scanner *scanner, const char *text)
     return line;
 }
 
+/* `Row 1`, `Row one` */
+static bool is_row_head(const char *text)
+{
+    return words_are_rows(text) && words_number(words_next(text)) > 0;
+}
+
 /* `Now K 3, P 12, K 3 on the wrong side`, `Rib 2 and 2 for 6 rows`, `Change to stocking-stitch`, `Repeat from ** to **`:
  * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again, so many times. */
 static bool asks_for_work(const char *text, size_t length)
@@ -541,7 +559,7 @@ static bool asks_for_work(const char *text, size_t length)
     size_t colon = strcspn(text, ":.\r\n");
     int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
     bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
-    bool heading = length > 0 && text[length - 1] == ':' && prose_heads_rows(text, text + length);
+    bool heading = length > 0 && text[length - 1] == ':' ? prose_heads_rows(text, text + length) : first > 8 && is_row_head(next_line(text));
 
     if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0 ||
         (text[colon] == ':' && words_find(words_skip_blanks(text + colon + 1), advice, sizeof advice / sizeof *advice) >= 0))

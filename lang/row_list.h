@@ -9,6 +9,7 @@
 struct filler {
     enum all_kind all;
     int first; /* ALL_OTHER, ALL_FOLLOWING: the row it was given for */
+    int last;  /* up to this row; 0: all */
     struct row_text *text;
     struct filler *next;
 };

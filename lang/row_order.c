@@ -40,12 +40,19 @@ void row_list_begin_on_side_of(struct row_list *list, const struct row_text *tex
         list->start = list->norder % 2 == 0 || list->round ? text->side : other_side(text->side);
 }
 
+static bool fills(const struct filler *f, int label, enum side side)
+{
+    if (f->last && label > f->last)
+        return false;
+    return ((f->all == ALL_RS || f->all == ALL_RS_ROW) && side == SIDE_RS) || ((f->all == ALL_WS || f->all == ALL_WS_ROW) && side == SIDE_WS) ||
+           (f->all == ALL_EVEN && label % 2 == 0) || (f->all == ALL_ODD && label % 2 == 1) ||
+           f->all == ALL_EVERY || (f->all == ALL_FOLLOWING && label >= f->first) || (f->all == ALL_OTHER && label >= f->first && (label - f->first) % 2 == 0);
+}
+
 static struct row_text *filler_for(const struct row_list *list, int label, enum side side)
 {
     for (const struct filler *f = list->filler; f; f = f->next)
-        if (((f->all == ALL_RS || f->all == ALL_RS_ROW) && side == SIDE_RS) || ((f->all == ALL_WS || f->all == ALL_WS_ROW) && side == SIDE_WS) ||
-            (f->all == ALL_EVEN && label % 2 == 0) || (f->all == ALL_ODD && label % 2 == 1) ||
-            f->all == ALL_EVERY || (f->all == ALL_FOLLOWING && label >= f->first) || (f->all == ALL_OTHER && label >= f->first && (label - f->first) % 2 == 0))
+        if (fills(f, label, side))
             return f->text;
     return NULL;
 }

@@ -214,9 +214,9 @@ static bool may_be_one(enum all_kind all)
     return all == ALL_RS_ROW || all == ALL_WS_ROW;
 }
 
-static void fill(struct row_list *list, struct row_text *text, enum all_kind all, int first)
+static void fill(struct row_list *list, struct row_text *text, enum all_kind all, int first, int last)
 {
-    struct filler *filler = arena_new(list->arena, struct filler), **last = &list->filler;
+    struct filler *filler = arena_new(list->arena, struct filler), **end = &list->filler;
 
     for (const struct filler *f = list->filler; f && side_of(all); f = f->next)
         if (side_of(f->all) == side_of(all) && !list->failed) {
@@ -225,10 +225,10 @@ static void fill(struct row_list *list, struct row_text *text, enum all_kind all
             diag_hint(list->diag, "number rows that follow each other: `Row 1 (RS): ...`, `Row 2 (WS): ...`");
             row_list_fail(list);
         }
-    *filler = (struct filler){.all = all, .first = first, .text = text};
-    while (*last)
-        last = &(*last)->next;
-    *last = filler;
+    *filler = (struct filler){.all = all, .first = first, .last = last, .text = text};
+    while (*end)
+        end = &(*end)->next;
+    *end = filler;
     list->fresh = true;
     list->round |= text->round;
     list->flat |= !text->round;
@@ -269,12 +269,12 @@ static void take_turns(struct row_list *list)
     list->fresh = false;
 }
 
-void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, int first)
+void rows_fill(struct row_list *list, struct row_text *text, enum all_kind all, int first, int last)
 {
     if (may_be_one(all) && !list->in_turn && comes_again(list, all))
         take_turns(list);
     if (may_be_one(all) && list->in_turn)
         add_in_turn(list, text, all);
     else
-        fill(list, text, all, first);
+        fill(list, text, all, first, last);
 }

@@ -96,8 +96,8 @@ void rows_add_next(struct row_list *, struct row_text *);
 /* Works a set-up row of this number. */
 void rows_add_setup(struct row_list *, struct row_text *, int label);
 
-/* `all WS rows`: the text of every row of a kind that has none of its own. */
-void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first);
+/* `all WS rows`: the text of every row of a kind that has none of its own, up to row `last`; 0: of all. */
+void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first, int last);
 
 /* The text of a row already given, by its number or with all rows of its kind; or NULL. */
 const struct row_text *rows_find(struct row_list *, int label);
