@@ -282,6 +282,7 @@ static struct row_text *make_text(struct eval *eval, struct where where, const s
         return NULL;
     if (!lower_body(eval, where, row, body, from, text))
         text->failed = true;
+    text->shaped = text->failed && eval->refused.source == row->head.source && eval->refused.end > row->head.start && eval->refused.start < row->body_span.end;
     return text;
 }
 

@@ -29,6 +29,9 @@ static bool statement_follows(const struct scanner *scanner, const char *text)
     /* `k2,` and on the next line `knit 2`. */
     if (scanner->comma && words_is_name(text, "knit"))
         return false;
+    /* `1` and on the next line `stitch before marker`. */
+    if (words_is_name(text, "stitch") && prose_is_keyword(text))
+        return false;
     for (int i = 0; i < nstatement_words; i++)
         if (words_is_name(text, statement_word[i]))
             return isalnum((unsigned char)*behind) || strchr("\"{:(", *behind);
@@ -126,6 +129,9 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (words_is_name(text, words[i]))
             return !prose_fabric_follows(text + length + strspn(text + length, " \t"));
+    /* `*(k1, p1)` and on the next line `x 2; rep from *`. */
+    if (scanner->star && tolower((unsigned char)*text) == 'x' && isdigit((unsigned char)*words_skip_blanks(text + 1)))
+        return true;
     return scanner->comma || ((scanner->star || scanner->stops) && syntax_is_row(text)) || scanner->previous == ':' ||
            (!scanner->bare && scanner_in_row_head(scanner) && prose_row_line(text)) || scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL ||
            (scanner->previous == TOKEN_NAME && is_count(text));

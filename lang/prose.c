@@ -553,11 +553,11 @@ static bool is_row_head(const char *text)
  * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again, so many times. */
 static bool asks_for_work(const char *text, size_t length)
 {
-    static const char *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do", "begin", "start"},
+    static const char *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do", "begin", "start", "go", "return"},
                              *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"}, *const keep[] = {"keep", "keeping", "maintain", "maintaining"},
                              *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
     size_t colon = strcspn(text, ":.\r\n");
-    int first = words_find(text, lead, sizeof lead / sizeof *lead), stitches = 0;
+    int first = words_find(text, lead, sizeof lead / sizeof *lead), here = first, stitches = 0;
     bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
     bool heading = length > 0 && text[length - 1] == ':' ? prose_heads_rows(text, text + length) : first > 8 && is_row_head(next_line(text));
 
@@ -569,7 +569,9 @@ static bool asks_for_work(const char *text, size_t length)
 
         if (i > 0 && isalnum((unsigned char)text[i - 1]))
             continue;
-        asks |= first >= 0 && prose_times_follow(text + i);
+        if (i > 1 && text[i - 1] == ' ' && text[i - 2] == '.')
+            here = words_find(text + i, lead, sizeof lead / sizeof *lead);
+        asks |= here >= 0 && prose_times_follow(text + i);
         if (!isalpha((unsigned char)text[i]))
             continue;
         asks |= words_find(text + i, keep, 4) >= 0 && words_number(behind);

@@ -533,6 +533,8 @@ bool prose_is_measure(const char *text)
 
     for (size_t n; *text && !words_ends_line(*text); text += n ? n : 1) {
         n = words_length(text);
+        if (units && (words_is(text, "per") || words_is(text, "each")) && words_are_rows(words_skip_blanks(text + n)))
+            return prose_line_ends(words_skip_blanks(text + n) + words_length(words_skip_blanks(text + n)));    /* `17 sts per row` */
         equation |= units && *text == '=';
         if (n ? words_are(text, WORDS_PLAIN | WORDS_CAST | WORDS_BIND | WORDS_AGAIN | WORDS_WORK) || words_find(text, work, sizeof work / sizeof *work) >= 0 : strchr(equation ? "*{}|<>" : "*={}|<>", *text) != NULL)
             return equation;

@@ -86,7 +86,7 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
     int rows = height ? height : list->norder;
     struct grid *g = grid_new(list->arena, width, rows, &cell);
     const struct row_text *before = NULL;
-    bool good = true;
+    bool good = true, shaped = false;
 
     for (int i = 0; i < list->norder; i++)
         memset(list->order[i]->drawn, 0, sizeof list->order[i]->drawn);
@@ -100,7 +100,8 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             row_list_check_side(list, text, i, 0);
         if (list->failed)
             return NULL;
-        if (text->failed) {
+        shaped |= text->shaped;
+        if (text->failed || shaped) {
             good = false;
             before = NULL;
             continue;

@@ -60,6 +60,7 @@ struct row_text {
     long long    check;         /* (n sts), -1: none */
     struct span  span, head, check_span;
     bool         failed;        /* an error was reported: it only takes its place */
+    bool         shaped;        /* for a stitch that was refused: how many there are behind it is not known */
     bool         seen;
     int          drawn[3];      /* 1 + the grid row that shows it, by side; 0: none */
 };
