@@ -9,62 +9,7 @@
 #include "lang/limits.h"
 #include "lang/lower.h"
 #include "lang/row_fit.h"
-
-/* ---- row numbers ---- */
-
-struct labels {
-    int *label;
-    int n, room;
-};
-
-static bool add_label(struct eval *eval, struct labels *labels, long long label, struct span span)
-{
-    if (labels->n >= LIMIT_WRITTEN_ROWS) {
-        diag_error(eval->diag, CODE_LIMIT_ROWS, span, "a pattern may have %d written rows",
-                   LIMIT_WRITTEN_ROWS);
-        return false;
-    }
-    if (labels->n == labels->room)
-        labels->label = arena_larger(eval->arena, labels->label, &labels->room, sizeof *labels->label);
-    labels->label[labels->n++] = (int)label;
-    return true;
-}
-
-/* Of `from row 3`: up to the last row. */
-static bool add_labels_behind(struct eval *eval, struct labels *labels, int last, struct span span)
-{
-    for (int label = labels->label[0] + 1; label <= last; label++)
-        if (!add_label(eval, labels, label, span))
-            return false;
-    return true;
-}
-
-static bool evaluate_labels(struct eval *eval, struct where where, const struct row_numbers *part,
-                            struct labels *labels)
-{
-    for (; part; part = part->next) {
-        long long first, last;
-
-        if (part->all)
-            continue;
-        if (!eval_whole(eval, where, part->first, 1, LIMIT_WRITTEN_ROWS, "a row number", &first)) {
-            if (part->first->kind == EXPR_NUMBER && part->first->number.value == 0)
-                diag_hint(eval->diag, "the cast-on is row 0; what is worked before row 1 is a `Set-up row`");
-            return false;
-        }
-        last = first;
-        if (part->last && !eval_whole(eval, where, part->last, 1, LIMIT_WRITTEN_ROWS, "a row number", &last))
-            return false;
-        if (last < first) {
-            diag_error(eval->diag, CODE_ROW_NUMBER, part->span, "rows %lld-%lld go backwards", first, last);
-            return false;
-        }
-        for (long long label = first; label <= last; label++)
-            if (!add_label(eval, labels, label, part->span))
-                return false;
-    }
-    return true;
-}
+#include "lang/row_labels.h"
 
 /* ---- rows ---- */
 
@@ -252,7 +197,7 @@ static bool count_rows(struct eval *eval, struct where where, const struct row *
 }
 
 /* `Rows 5-12: as rows 1-4`: whole turns, as many as are said. */
-static bool check_references(struct eval *eval, struct where where, const struct row *row, const struct labels *labels,
+static bool check_references(struct eval *eval, struct where where, const struct row *row, const struct row_labels *labels,
                              int nrows)
 {
     long long times;
@@ -289,7 +234,7 @@ static struct row_text *make_text(struct eval *eval, struct where where, const s
 /* The i-th row of a statement; rows of one text share it. */
 struct row_run {
     const struct row *row;
-    struct labels labels, from;
+    struct row_labels labels, from;
     struct row_text *text;
     int which;          /* whose text it is: a row's number, or a variant of a fabric */
 };
@@ -332,8 +277,8 @@ static bool run_row(struct eval *eval, struct where where, const struct stmt *st
     bool all = false;
     long long n;
 
-    if (too_many_rows(eval, row->head) || !evaluate_labels(eval, where, row->numbers, &run.labels) ||
-        !count_rows(eval, where, row, body, &n) || !evaluate_labels(eval, where, row->reference, &run.from))
+    if (too_many_rows(eval, row->head) || !row_labels_evaluate(eval, where, row->numbers, &run.labels) ||
+        !count_rows(eval, where, row, body, &n) || !row_labels_evaluate(eval, where, row->reference, &run.from))
         return false;
     if (run.labels.n)
         n = run.labels.n;
@@ -362,137 +307,7 @@ static bool run_row(struct eval *eval, struct where where, const struct stmt *st
     return true;
 }
 
-/* ---- rows worked again ---- */
-
-static bool find_rows(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body,
-                      struct row_texts *texts)
-{
-    struct labels labels = {0};
-    long long last;
-
-    switch (again->which) {
-    case AGAIN_LAST:
-        rows_pattern(body->rows, false);    /* `RS: ..` and `WS: ..` are worked by now */
-        if (!eval_whole(eval, where, again->last, 1, rows_count(body->rows), "the number of rows", &last))
-            return false;
-        *texts = rows_last(body->rows, (int)last);
-        return true;
-    case AGAIN_THEM:
-    case AGAIN_GO_ON:
-        *texts = rows_pattern(body->rows, again->which == AGAIN_GO_ON);
-        if (texts->n || again->rib)
-            return true;
-        diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "there are no numbered rows to go on with");
-        return false;
-    default:
-        return evaluate_labels(eval, where, again->numbers, &labels) &&
-               (!again->onwards || add_labels_behind(eval, &labels, rows_last_number(body->rows), stmt->span)) &&
-               rows_labelled(body->rows, stmt->span, labels.label, labels.n, texts);
-    }
-}
-
-/* Rows up to a length of n: whole repeats, but where the pattern goes on row by row. */
-static long long rows_to_length(const struct again *again, const struct body *body, struct row_texts texts, long long n)
-{
-    if (again->kind == AGAIN_LENGTH)
-        n -= rows_count(body->rows);
-    else if (again->which != AGAIN_GO_ON && rows_just_worked(body->rows, texts))
-        n -= texts.n;
-    if (n <= 0)
-        return 0;
-    return again->which == AGAIN_GO_ON ? n : (n + texts.n - 1) / texts.n * texts.n;
-}
-
-/* The pattern whose name is mentioned; false, with a message, where it cannot be told. */
-static bool choose_rows(struct eval *eval, const struct stmt *stmt, const struct again *again, struct body *body)
-{
-    const char *what = again->several                                    ? "rows of two names in one sentence"
-                       : again->from && again->which == AGAIN_LAST       ? "the last rows, and a pattern by its name"
-                       : again->from                                     ? "the rows of this name are not among these"
-                       : again->which != AGAIN_LAST && rows_to_choose(body->rows) ? "several patterns are above: which is meant is not said"
-                                                                         : NULL;
-
-    if (!what || (!again->several && again->from && again->which != AGAIN_LAST && rows_choose(body->rows, stmt->span, again->from)))
-        return true;
-    diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "%s", what);
-    diag_hint(eval->diag, "a sentence for each, with its name: `Work in Box Stitch for 8 rows`");
-    return false;
-}
-
-/* `Work 4 rows in rib`: which rib that is must stand in the rows above. */
-static bool check_rib(struct eval *eval, const struct stmt *stmt, const struct body *body, struct row_texts texts)
-{
-    if (!rows_are_rib(texts)) {
-        diag_error(eval->diag, CODE_ELSEWHERE, stmt->span, "which rib this is is not said, and the rows above are none");
-        diag_hint(eval->diag, "`Work 4 rows in k2, p2 rib`");
-        return false;
-    }
-    if (rows_passed(body->rows, texts)) {
-        diag_warning(eval->diag, CODE_IN_PATTERN, stmt->span, "which rib this is is not said: that of the rows above");
-        diag_hint(eval->diag, "`Work 4 rows in k2, p2 rib` says it");
-    }
-    return true;
-}
-
-/* `until 20 rows have been worked`, `for a total of 20 rows`: whether others, worked before, are among these is not said. */
-static void warn_since_when(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body,
-                            struct row_texts texts, long long n)
-{
-    bool total = again->kind == AGAIN_TOTAL_ROWS;
-
-    if (!(total || (again->kind == AGAIN_UNTIL_ROWS && again->worked)) || !rows_come_before(body->rows, texts, !total))
-        return;
-    diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows before these are among the %lld is not said: they are%s", n, total ? " not" : "");
-    diag_hint(eval->diag, total ? "`until piece has %lld rows` counts all" : "`for a total of %lld rows` counts these alone", n);
-}
-
-static bool run_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again,
-                      struct body *body)
-{
-    struct row_texts texts;
-    long long n = 0;
-    bool described = rows_described(body->rows);
-
-    rows_work(body->rows);
-    if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
-        return false;
-    if (!choose_rows(eval, stmt, again, body))
-        return false;
-    if (again->which == AGAIN_GO_ON && !again->rib && again->kind == AGAIN_PATTERN && !rows_pattern(body->rows, true).n) {
-        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how long the pattern goes on is not said: no row more");
-        return true;
-    }
-    if (!find_rows(eval, where, stmt, again, body, &texts) || (again->rib && !check_rib(eval, stmt, body, texts)))
-        return false;
-    rows_both_sides(body->rows, texts);
-    warn_since_when(eval, stmt, again, body, texts, n);
-    if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))
-        n = 1;
-    if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
-        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how often these rows are %s", n ? "worked is not said: once"
-                                                                                                  : "repeated is not said: not once more");
-        diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
-    }
-    if (again->assumed && rows_just_worked(body->rows, texts)) {
-        diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows above are the first time is not said: they are");
-        diag_hint(eval->diag, "`repeat rows 1-4 3 more times` says it");
-    }
-    if (again->kind == AGAIN_TOTAL && n && rows_just_worked(body->rows, texts))
-        n--;
-    if (again->kind == AGAIN_ROWS && described)
-        n = n > texts.n ? n - texts.n : 0;
-    if (again->kind == AGAIN_TOTAL_ROWS && rows_just_worked(body->rows, texts))
-        n = n > texts.n ? n - texts.n : 0;
-    if (again->kind == AGAIN_LENGTH || again->kind == AGAIN_PART_LENGTH)
-        n = rows_to_length(again, body, texts, n);
-    if (again->kind == AGAIN_UNTIL_ROWS)
-        rows_again(body->rows, stmt->span, texts, 0, n);
-    else if (again->kind >= AGAIN_ROWS && n)
-        rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + n);
-    else if (n)
-        rows_again(body->rows, stmt->span, texts, n, 0);
-    return !again->then || run_again(eval, where, stmt, again->then, body);
-}
+/* ---- the cast-on ---- */
 
 /* Whether a statement works rows above the cast-on by their name. */
 static bool is_by_name(const struct stmt *stmt, const struct stmt *cast_on)
@@ -615,7 +430,7 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
             return false;
         }
         return stmt->kind == STMT_ROW ? run_row(eval, *where, stmt, body)
-                                      : run_again(eval, *where, stmt, &stmt->again, body);
+                                      : body_again(eval, *where, stmt, &stmt->again, body);
     case STMT_CHART:
         return run_chart(eval, *where, stmt, body);
     case STMT_FOR:

@@ -211,6 +211,8 @@ bool body_in_rounds(const struct stmt *);   /* by the first row that says what i
 void body_run(struct eval *, struct where, const struct stmt *, struct body *);
 void body_statement(struct eval *, struct where, const struct stmt *, struct body *);
 
+/* body_again.c: `repeat rows 1-4 5 times`, `continue in pattern for 8 rows`; false after an error */
+bool body_again(struct eval *, struct where, const struct stmt *, const struct again *, struct body *);
 
 /* stitches.c: kinds of stitches */
 enum { STITCH_KEYS = 5 };       /* kx, ky, twist, symbol, ws */

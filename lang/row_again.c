@@ -52,8 +52,8 @@ struct row_texts rows_pattern(struct row_list *list, bool going_on)
 
     rows_work(list);
     first = list->first_label;
-    row = list->label + first;
     texts.n = list->last_label ? list->last_label - first + 1 : 0;
+    row = texts.n ? list->label + first : NULL;
     next = list->worked_label < first ? 0 : list->worked_label - first + 1;
     if (told_otherwise(list, first, texts.n)) {
         row = told->row;
@@ -61,7 +61,9 @@ struct row_texts rows_pattern(struct row_list *list, bool going_on)
         next = told->next;
         texts.told = going_on ? 1 + next : 1;
     }
-    texts.text = arena_array(list->arena, struct row_text *, (size_t)texts.n + 1);
+    if (!texts.n)
+        return texts;
+    texts.text = arena_array(list->arena, struct row_text *, (size_t)texts.n);
     for (int i = 0; i < texts.n; i++)
         texts.text[i] = row[(i + (going_on ? next : 0)) % texts.n];
     return texts;

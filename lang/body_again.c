@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A statement that works rows again in, the rows worked out. */
+#include "lang/eval.h"
+#include "lang/limits.h"
+#include "lang/row_labels.h"
+#include "lang/rows.h"
+
+static bool find_rows(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body,
+                      struct row_texts *texts)
+{
+    struct row_labels labels = {0};
+    long long last;
+
+    switch (again->which) {
+    case AGAIN_LAST:
+        rows_pattern(body->rows, false);    /* `RS: ..` and `WS: ..` are worked by now */
+        if (!eval_whole(eval, where, again->last, 1, rows_count(body->rows), "the number of rows", &last))
+            return false;
+        *texts = rows_last(body->rows, (int)last);
+        return true;
+    case AGAIN_THEM:
+    case AGAIN_GO_ON:
+        *texts = rows_pattern(body->rows, again->which == AGAIN_GO_ON);
+        if (texts->n || again->rib)
+            return true;
+        diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "there are no numbered rows to go on with");
+        diag_hint(eval->diag, "`These 4 rows form the pattern`, behind them, says which rows without numbers are meant");
+        return false;
+    default:
+        return row_labels_evaluate(eval, where, again->numbers, &labels) &&
+               (!again->onwards || row_labels_go_on(eval, &labels, rows_last_number(body->rows), stmt->span)) &&
+               rows_labelled(body->rows, stmt->span, labels.label, labels.n, texts);
+    }
+}
+
+/* Rows up to a length of n: whole repeats, but where the pattern goes on row by row. */
+static long long rows_to_length(const struct again *again, const struct body *body, struct row_texts texts, long long n)
+{
+    if (again->kind == AGAIN_LENGTH)
+        n -= rows_count(body->rows);
+    else if (again->which != AGAIN_GO_ON && rows_just_worked(body->rows, texts))
+        n -= texts.n;
+    if (n <= 0)
+        return 0;
+    return again->which == AGAIN_GO_ON ? n : (n + texts.n - 1) / texts.n * texts.n;
+}
+
+/* The pattern whose name is mentioned; false, with a message, where it cannot be told. */
+static bool choose_rows(struct eval *eval, const struct stmt *stmt, const struct again *again, struct body *body)
+{
+    const char *what = again->several                                    ? "rows of two names in one sentence"
+                       : again->from && again->which == AGAIN_LAST       ? "the last rows, and a pattern by its name"
+                       : again->from                                     ? "the rows of this name are not among these"
+                       : again->which != AGAIN_LAST && rows_to_choose(body->rows) ? "several patterns are above: which is meant is not said"
+                                                                         : NULL;
+
+    if (!what || (!again->several && again->from && again->which != AGAIN_LAST && rows_choose(body->rows, stmt->span, again->from)))
+        return true;
+    diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "%s", what);
+    diag_hint(eval->diag, "a sentence for each, with its name: `Work in Box Stitch for 8 rows`");
+    return false;
+}
+
+/* `Work 4 rows in rib`: which rib that is must stand in the rows above. */
+static bool check_rib(struct eval *eval, const struct stmt *stmt, const struct body *body, struct row_texts texts)
+{
+    if (!rows_are_rib(texts)) {
+        diag_error(eval->diag, CODE_ELSEWHERE, stmt->span, "which rib this is is not said, and the rows above are none");
+        diag_hint(eval->diag, "`Work 4 rows in k2, p2 rib`");
+        return false;
+    }
+    if (rows_passed(body->rows, texts)) {
+        diag_warning(eval->diag, CODE_IN_PATTERN, stmt->span, "which rib this is is not said: that of the rows above");
+        diag_hint(eval->diag, "`Work 4 rows in k2, p2 rib` says it");
+    }
+    return true;
+}
+
+/* `until 20 rows have been worked`, `for a total of 20 rows`: whether others, worked before, are among these is not said. */
+static void warn_since_when(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body,
+                            struct row_texts texts, long long n)
+{
+    bool total = again->kind == AGAIN_TOTAL_ROWS;
+
+    if (!(total || (again->kind == AGAIN_UNTIL_ROWS && again->worked)) || !rows_come_before(body->rows, texts, !total))
+        return;
+    diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows before these are among the %lld is not said: they are%s", n, total ? " not" : "");
+    diag_hint(eval->diag, total ? "`until piece has %lld rows` counts all" : "`for a total of %lld rows` counts these alone", n);
+}
+
+/* What is open: how often the rows are worked, and whether those above are the first time. */
+static void warn_open(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body,
+                      struct row_texts texts, bool once)
+{
+    if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
+        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how often these rows are %s", once ? "worked is not said: once"
+                                                                                                     : "repeated is not said: not once more");
+        diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
+    }
+    if (again->assumed && rows_just_worked(body->rows, texts)) {
+        diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows above are the first time is not said: they are");
+        diag_hint(eval->diag, "`repeat rows 1-4 3 more times` says it");
+    }
+}
+
+/* What is left to work of n times or n rows in all, where the rows above are among them. */
+static long long left_to_work(const struct again *again, const struct body *body, struct row_texts texts, long long n, bool described)
+{
+    bool among = rows_just_worked(body->rows, texts);
+
+    switch (again->kind) {
+    case AGAIN_TOTAL:
+        return n && among ? n - 1 : n;
+    case AGAIN_ROWS:
+    case AGAIN_TOTAL_ROWS:
+        if (!(again->kind == AGAIN_ROWS ? described : among))
+            return n;
+        return n > texts.n ? n - texts.n : 0;
+    case AGAIN_LENGTH:
+    case AGAIN_PART_LENGTH:
+        return rows_to_length(again, body, texts, n);
+    default:
+        return n;
+    }
+}
+
+bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body)
+{
+    struct row_texts texts;
+    long long n = 0;
+    bool described = rows_described(body->rows);
+
+    rows_work(body->rows);
+    if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
+        return false;
+    if (!choose_rows(eval, stmt, again, body))
+        return false;
+    if (again->which == AGAIN_GO_ON && !again->rib && again->kind == AGAIN_PATTERN && !rows_pattern(body->rows, true).n) {
+        diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how long the pattern goes on is not said: no row more");
+        return true;
+    }
+    if (!find_rows(eval, where, stmt, again, body, &texts) || (again->rib && !check_rib(eval, stmt, body, texts)))
+        return false;
+    rows_both_sides(body->rows, texts);
+    warn_since_when(eval, stmt, again, body, texts, n);
+    if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))
+        n = 1;
+    warn_open(eval, stmt, again, body, texts, n > 0);
+    n = left_to_work(again, body, texts, n, described);
+    if (again->kind == AGAIN_UNTIL_ROWS)
+        rows_again(body->rows, stmt->span, texts, 0, n);
+    else if (again->kind >= AGAIN_ROWS && n)
+        rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + n);
+    else if (n)
+        rows_again(body->rows, stmt->span, texts, n, 0);
+    return !again->then || body_again(eval, where, stmt, again->then, body);
+}
