@@ -176,6 +176,7 @@ struct again {
     unsigned            from;           /* where the rows begin whose name is mentioned; 0: none is */
     bool                several;        /* names are mentioned */
     bool                rib;            /* they are to be one */
+    int                 ending;         /* "ending with row 2"; 0: not said */
     struct expr        *n;
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };

@@ -124,6 +124,23 @@ static long long left_to_work(const struct again *again, const struct body *body
     }
 }
 
+/* `3 times, ending with row 2`: so many rows must end there; of times it is open whether one of them stops there, or one more. */
+static bool check_ending(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body, struct row_texts texts)
+{
+    bool counted = again->kind == AGAIN_UNTIL_ROWS || again->kind >= AGAIN_ROWS;
+    const struct row_text *last = !again->ending || !rows_count(body->rows) ? NULL : counted ? rows_last(body->rows, 1).text[0] : texts.text[texts.n - 1];
+
+    if (!last || rows_find(body->rows, again->ending) == last)
+        return true;
+    if (counted)
+        diag_error(eval->diag, CODE_ROW_REPEAT, stmt->span, "these rows do not end with row %d, but with row %d", again->ending, last->label);
+    else {
+        diag_error(eval->diag, CODE_ROW_REPEAT, stmt->span, "this can be read in two ways: row %d ends the last of these times, or one more", again->ending);
+        diag_hint(eval->diag, "`.., then rows 1-%d once`, behind the times the rows are worked as a whole", again->ending);
+    }
+    return false;
+}
+
 bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body)
 {
     struct row_texts texts;
@@ -153,5 +170,7 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + n);
     else if (n)
         rows_again(body->rows, stmt->span, texts, n, 0);
+    if (!check_ending(eval, stmt, again, body, texts))
+        return false;
     return !again->then || body_again(eval, where, stmt, again->then, body);
 }

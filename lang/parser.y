@@ -170,6 +170,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token UNTIL_ROWS       "'until the piece has'"
 %token <measure> WORK_LENGTH  "'work 2 inches in'"
 %token <measure> UNTIL_LENGTH     "'until the piece measures'"
+%token <number> ENDING_ROW      "'ending with row'"
 %token FOR_TOTAL        "'for a total of'"
 %token TOTAL            "'in all'"
 
@@ -570,6 +571,7 @@ again_once:
   %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | FOR_PATTERN                           { $$ = (struct again){.kind = AGAIN_PATTERN, .pattern = true}; }
 | again_counted
+| again_counted ENDING_ROW              { $$ = $again_counted; $$.ending = (int)$ENDING_ROW.value; }
 | ',' again_counted                     { $$ = $again_counted; }
 | FOR_PATTERN again_counted             { $$ = $again_counted; }
 | FOR_PATTERN ',' again_counted         { $$ = $again_counted; }
