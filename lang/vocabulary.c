@@ -135,6 +135,11 @@ static void unknown(struct eval *eval, const struct module *module, const char *
         diag_hint(eval->diag, "in a scanned text the letter l may stand for 1: '%.*s1'", is_scanned(word), word);
         return;
     }
+    if (!told && strcasecmp(word, "x") == 0) {
+        diag_error(eval->diag, CODE_STITCH, span, "what is worked so many times is not marked");
+        diag_hint(eval->diag, "brackets hold it: `(k2, p2) x 2`");
+        return;
+    }
     if (told && !meant)
         return;
     diag_error(eval->diag, CODE_STITCH, span, "'%.*s' is no stitch", (int)(span.end - span.start), span.source->text + span.start);
