@@ -368,6 +368,19 @@ static void put_mark(char *text, size_t at)
 
 static const char marks[] = "-R`\\~[<*_\"{}";
 
+/* Whether a quote stands for the star of `rep from" to end`. */
+static bool is_star(const char *text, size_t at)
+{
+    size_t end = at, word;
+
+    while (end > 0 && text[end - 1] == ' ')
+        end--;
+    for (word = end; word > 0 && isalpha((unsigned char)text[word - 1]);)
+        word--;
+    return end - word == 4 && strncasecmp(text + word, "from", 4) == 0 && text[at + 1] && strchr(" ,;.\r\n", text[at + 1]) && word > 4 &&
+           (strncasecmp(text + word - 4, "rep ", 4) == 0 || strncasecmp(text + word - 4, "eat ", 4) == 0);
+}
+
 static void put_marks(char *text, size_t size)
 {
     struct words_line line = {0};
@@ -380,7 +393,9 @@ static void put_marks(char *text, size_t size)
             continue;
         }
         depth += text[at] == '{' ? 1 : text[at] == '}' && depth > 0 ? -1 : 0;
-        if (text[at] == '"')
+        if (text[at] == '"' && is_star(text, at))
+            text[at] = '*';
+        else if (text[at] == '"')
             at = words_skip_quoted(text, at) - 1;
         else if (depth == 0)
             put_mark(text, at);

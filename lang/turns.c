@@ -131,6 +131,7 @@ const struct phrase turns_of_pages[] = {
     {"< for|to a|my|the|make? a|the? sample|swatch|example , =cast|co", ""},
     {"< for|to a|my|the|make? a|the? sample|swatch|example ,? i|we? =cast|co", ""},
     {",|and then|now? do|make|work|knit another|further|more =# =rows|rounds|rnds =of|in =the? =garter|g|moss|seed|stockinette|stocking|rib|k", ". work"},
+    {"^ do 1|one|a row|round|rnd of|in", "next row:"},
     {"another =# =rows|rounds|rnds =of|in =garter|g|seed|moss|stockinette|stocking|rev|reverse|k", ""},
 
     /* other spellings */
