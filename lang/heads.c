@@ -214,7 +214,7 @@ static size_t number_length(const char *text, bool *stop)
     next = end + strspn(text + end, " \t\r\n");
     if (text[next] && strchr("])},", text[next]))
         return 0;
-    *stop = prose_stitches_follow(text + next) && !words_are_rows(words_skip_blanks(text + next + words_length(text + next)));
+    *stop = prose_stitches_follow(text + next) && !words_are_rows(words_next(text + next));
     return *stop ? next : end;
 }
 
@@ -306,7 +306,7 @@ static size_t table_length(const char *text)
     if (text[bar] != '|' || bar == first || !isalpha((unsigned char)text[first]) ||
         (names_row(text + first, bar - first) && (numbers || prose_stitches_follow(text + next))))
         return 0;
-    if (prose_pattern_follows(text + next) || (prose_rows_follow(words_skip_blanks(text + next + words_length(text + next)))))
+    if (prose_pattern_follows(text + next) || (prose_rows_follow(words_next(text + next))))
         return next;
     if (is_part(text + first))
         return next;

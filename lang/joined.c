@@ -101,7 +101,7 @@ static bool begins_part(const char *text, size_t length)
                  words_line_has(text, "multiple")))
         return true;
     return words_find(text, word, sizeof word / sizeof *word) >= 0 || (!rows && words_find(text, statement_word, nstatement_words) >= 0) || words_are_rows(text) ||
-           words_are_rows(words_skip_blanks(text + words_length(text))) || !prose_reads(text, true) ||
+           words_are_rows(words_next(text)) || !prose_reads(text, true) ||
            prose_statement_follows(text) || prose_fabric_follows(text) || prose_pattern_follows(text) || syntax_is_row(text) || has_sign(text, length, ":={}\"*[");
 }
 
@@ -119,10 +119,10 @@ static bool names_rows(struct piece piece, const char *next)
     static const char *const word[] = {"and", "to", "through", "thru"};
     const char *rows = piece.text;
 
-    if (!piece.length || !isdigit((unsigned char)piece.text[piece.length - 1]) || words_find(next, word, 4) < 0 || !isdigit((unsigned char)*words_skip_blanks(next + words_length(next))))
+    if (!piece.length || !isdigit((unsigned char)piece.text[piece.length - 1]) || words_find(next, word, 4) < 0 || !isdigit((unsigned char)*words_next(next)))
         return false;
     while (words_length(rows) && !words_are_rows(rows))
-        rows = words_skip_blanks(rows + words_length(rows));
+        rows = words_next(rows);
     return words_are_rows(rows) && rows + words_length(rows) + strspn(rows + words_length(rows), " 0123456789-,") >= piece.text + piece.length;
 }
 
@@ -130,7 +130,7 @@ static bool names_rows(struct piece piece, const char *next)
 static bool goes_on(const char *text, size_t length)
 {
     if (words_is(text, "and") || words_is(text, "or"))
-        return !begins_part(words_skip_blanks(text + words_length(text)), length - words_length(text));
+        return !begins_part(words_next(text), length - words_length(text));
     return islower((unsigned char)*text) && (words_length(text) > 1 || *text == 'a') && !begins_part(text, length);
 }
 

@@ -117,7 +117,7 @@ static double one_unit(const char *first, const char *end)
     double millimetres;
 
     for (const char *at = first; at < end; at += words_length(at) + 1)
-        if (words_find(at, one, sizeof one / sizeof *one) >= 0 && unit_at(words_skip_blanks(at + words_length(at)), &millimetres) && millimetres >= SHORTEST)
+        if (words_find(at, one, sizeof one / sizeof *one) >= 0 && unit_at(words_next(at), &millimetres) && millimetres >= SHORTEST)
             return millimetres;
     return 0;
 }

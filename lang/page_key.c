@@ -28,7 +28,7 @@ const struct page_sign *page_key_find(const struct page_key *key, const char *te
 
 static const char *skip(const char *text, const char *const *word, int n)
 {
-    return words_find(text, word, n) < 0 ? text : words_skip_blanks(text + words_length(text));
+    return words_find(text, word, n) < 0 ? text : words_next(text);
 }
 
 /* `RS`, `the wrong side rows`, `(WS)`: 1 or -1, and behind it; 0: no side. */
@@ -44,12 +44,12 @@ static int side_at(const char **text)
     if (!side)
         return 0;
     if (words_length(at) > 2) {
-        at = words_skip_blanks(at + words_length(at));
+        at = words_next(at);
         at += *at == '-';
         if (!words_is(at, "side"))
             return 0;
     }
-    at = skip(words_skip_blanks(at + words_length(at)), rows, 4);
+    at = skip(words_next(at), rows, 4);
     *text = words_skip_blanks(at + (*at == ')'));
     return side;
 }
@@ -65,7 +65,7 @@ static int stitch_at(const char **text, bool *sided)
     word = words_find(at, words, 6);
     if (word < 0)
         return -1;
-    at = words_skip_blanks(at + words_length(at));
+    at = words_next(at);
     at = words_are_stitches(at) ? words_next(at) : at;
     side = side ? side : side_at(&at);
     *sided |= side != 0;

@@ -35,7 +35,7 @@ static bool is_of_every_row(struct diag *diag, const char *text, struct span lin
                              *const slip[] = {"slip", "sl", "slipped", "slips", "slipping"}, *const work[] = {"knit", "k", "purl", "p", "work", "knitted"};
     size_t at = find_word(text, every, 3);
 
-    if (!at || !words_are_rows(words_skip_blanks(text + at + words_length(text + at))) || !find_word(text, first, 5))
+    if (!at || !words_are_rows(words_next(text + at)) || !find_word(text, first, 5))
         return false;
     if (find_word(text, slip, 5))
         return refused_word(diag, "slip", line);
@@ -131,7 +131,7 @@ static bool asks_for_work(const char *text, size_t length)
         (text[colon] == ':' && words_find(words_skip_blanks(text + colon + 1), advice, sizeof advice / sizeof *advice) >= 0))
         return false;
     for (size_t i = 0; i < length; i++) {
-        const char *behind = words_skip_blanks(text + i + words_length(text + i));
+        const char *behind = words_next(text + i);
 
         if (i > 0 && isalnum((unsigned char)text[i - 1]))
             continue;

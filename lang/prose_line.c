@@ -81,7 +81,7 @@ static bool no_block(const char *text)
 
 static bool no_body(const char *text)
 {
-    return !opens_block(text) && !is_setting(words_skip_blanks(text + words_length(text)));
+    return !opens_block(text) && !is_setting(words_next(text));
 }
 
 static bool no_loop(const char *text)
@@ -101,7 +101,7 @@ static bool no_file(const char *text)
 /* "Let me know how it goes": more words, and no value. */
 static bool no_value(const char *text)
 {
-    return !line_has(text, "=0123456789") && words_length(words_skip_blanks(text + words_length(text))) > 0;
+    return !line_has(text, "=0123456789") && words_length(words_next(text)) > 0;
 }
 
 static bool is_labelled(const char *text)
@@ -127,7 +127,7 @@ bool prose_is_keyword(const char *text)
                  {"mesh", no_block},   {"solve", no_block}, {"stitch", no_body},     {"chart", no_body},
                  {"if", no_body},      {"for", no_loop},    {"swatch", no_fabric}, {"motif", is_labelled},
                  {"use", no_file},      {"let", no_value}};
-    const char *behind = words_skip_blanks(text + words_length(text));
+    const char *behind = words_next(text);
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (words_is(text, words[i].word))
@@ -145,7 +145,7 @@ enum { nsentence_words = sizeof sentence_word / sizeof *sentence_word };
 static bool is_short_word(const char *text)
 {
     static const char *const behind[] = {"on", "from", "the", "these", "last", "this", "a"};
-    const char *next = words_skip_blanks(text + words_length(text));
+    const char *next = words_next(text);
 
     return words_length(text) < 4 && words_length(next) > 0 && !words_are_rows(next) && words_find(next, behind, sizeof behind / sizeof *behind) < 0 && !line_has(text, ":\"={");
 }
@@ -238,10 +238,10 @@ bool prose_is_named_row(const char *text)
     const char *behind = text;
 
     for (int words = 0; words < 2 && words_find(behind, row, sizeof row / sizeof *row) < 0; words++)
-        behind = words_skip_blanks(behind + words_length(behind));
+        behind = words_next(behind);
     if (behind == text || prose_line_is_mistyped(text) || words_find(behind, row, sizeof row / sizeof *row) < 0)
         return false;
-    behind = words_skip_blanks(behind + words_length(behind));
+    behind = words_next(behind);
     if (*behind == '(')
         behind = words_skip_blanks(behind + strcspn(behind, ":\r\n"));
     return *behind == ':' && prose_stitches_follow(words_skip_blanks(behind + 1));
@@ -250,7 +250,7 @@ bool prose_is_named_row(const char *text)
 /* `Repeat rows 1-4 until the piece measures ...` */
 static bool is_repeat_until(const char *text)
 {
-    const char *behind = words_is(text, "repeat") || words_is(text, "rep") ? words_skip_blanks(text + words_length(text)) : NULL;
+    const char *behind = words_is(text, "repeat") || words_is(text, "rep") ? words_next(text) : NULL;
 
     return behind && words_are_rows(behind) && (words_line_has(behind, "until") || words_line_has(behind, "till"));
 }
@@ -328,7 +328,7 @@ static bool is_adjective(const char *digit)
     static const char *const one[] = {"row", "round", "stitch"};
     const char *word = words_skip_blanks(digit + 1);
 
-    return words_find(word, one, 3) >= 0 && words_length(words_skip_blanks(word + words_length(word))) > 2;
+    return words_find(word, one, 3) >= 0 && words_length(words_next(word)) > 2;
 }
 
 /* "22 sts", "4 rows": more than a title says. */
@@ -371,7 +371,7 @@ bool prose_line_is_explained(const char *text)
     if (!sign || *meaning != '=' || meaning[1] == '=' || line_has(text, "{}"))
         return false;
     meaning = words_skip_blanks(meaning + 1);
-    second = words_skip_blanks(meaning + words_length(meaning));
+    second = words_next(meaning);
     return words_length(meaning) > 0 && second > meaning + words_length(meaning) && isalnum((unsigned char)*second) && words_find(meaning, value, 4) < 0 && words_find(second, value, 4) < 0;
 }
 

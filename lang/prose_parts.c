@@ -45,7 +45,7 @@ bool prose_has_cast_on(const char *text)
     if (words_is(text, "more") || words_is(text, "fewer"))
         return false;
     if (!behind)
-        return words_find(words_skip_blanks(text + words_length(text)), multiple, sizeof multiple / sizeof *multiple) >= 0;
+        return words_find(words_next(text), multiple, sizeof multiple / sizeof *multiple) >= 0;
     behind = words_skip_blanks(behind);
     if (prose_line_ends(behind))
         return true;
@@ -63,7 +63,7 @@ static bool stitches_are_meant(const char *text)
     for (size_t i = 0; i < sizeof word / sizeof *word; i++)
         if (words_line_has(text, word[i]))
             return !words_line_has(text, "rows") && !words_line_has(text, "rounds") && !words_line_has(text, "yarn");
-    return !*words_skip_blanks(text + words_length(text));
+    return !*words_next(text);
 }
 
 bool prose_tells_how(const char *text)
@@ -86,10 +86,10 @@ bool prose_repeats_rows(const char *text)
 
     text = words_skip_blanks(text);
     if (words_is(text, "from") || words_is(text, "the"))
-        text = words_skip_blanks(text + words_length(text));
+        text = words_next(text);
 
     /* `repeat until it measures 8 in`; not `repeat until 2 sts remain`. */
-    if (words_length(text) > 3 && words_are_rows(words_skip_blanks(text + words_length(text))))
+    if (words_length(text) > 3 && words_are_rows(words_next(text)))
         return true;
     if (words_is(text, "until") || words_is(text, "till"))
         return lengths_follow(text) || !stitches_are_meant(text);
@@ -106,7 +106,7 @@ bool prose_fabric_follows(const char *text)
 
     return words_find(text, word, sizeof word / sizeof *word) >= 0 ||
            (isdigit((unsigned char)*text) && ((*by && strchr("xX/\xC3", *by)) || words_is(by, "by"))) ||
-           (words_find(text, knit, 2) >= 0 && isdigit((unsigned char)*words_skip_blanks(text + words_length(text))) &&
+           (words_find(text, knit, 2) >= 0 && isdigit((unsigned char)*words_next(text)) &&
             (words_line_has(text, "rib") || words_line_has(text, "ribbing")));
 }
 
@@ -127,7 +127,7 @@ bool prose_casts_some(const char *text)
 
 size_t prose_begins_cast_on(const char *text)
 {
-    const char *on = words_skip_blanks(text + words_length(text));
+    const char *on = words_next(text);
 
     if (words_is(text, "co"))
         return words_behind_number(on) ? 2 : 0;
@@ -137,11 +137,11 @@ size_t prose_begins_cast_on(const char *text)
 size_t prose_rows_within(const char *text)
 {
     for (size_t i = 1; text[i]; i++) {
-        const char *behind = words_skip_blanks(text + i + words_length(text + i)), *rows = words_behind_number(behind);
+        const char *behind = words_next(text + i), *rows = words_behind_number(behind);
 
         if (isalnum((unsigned char)text[i - 1]) || !words_are(text + i, WORDS_PLAIN | WORDS_WORK))
             continue;
-        if ((rows && words_are_rows(rows)) || (words_is(text + i, "work") && prose_row_follows(behind)) || (words_are(behind, WORDS_EVERY) && words_are_rows(words_skip_blanks(behind + words_length(behind)))) ||
+        if ((rows && words_are_rows(rows)) || (words_is(text + i, "work") && prose_row_follows(behind)) || (words_are(behind, WORDS_EVERY) && words_are_rows(words_next(behind))) ||
             (words_is(text + i, "work") && words_is(behind, "in") && prose_fabric_follows(words_skip_blanks(behind + 2))))
             return i;
     }
@@ -204,12 +204,12 @@ bool prose_stitches_follow(const char *text)
     text += strspn(text, " \t|");
     if ((*text == '*' && text[1] != '*') || (*text == '(' && syntax_is_row(text + 1)) || (*text == '[' && syntax_is_row(text + 1)))
         return true;
-    next = words_skip_blanks(text + words_length(text));
+    next = words_next(text);
     if (words_are(text, WORDS_AGAIN) || words_is(text, "as"))
         return (words_are_rows(next) && !says_how_often(next)) || (isdigit((unsigned char)*next) && prose_line_ends(next + strspn(next, "0123456789")));
     if (!words_are(text, WORDS_PLAIN) && !(*text && strchr("kKpP", *text) && isdigit((unsigned char)text[1])))
         return false;
-    if ((words_is(next, "every") || words_is(next, "each")) && words_are_stitches(words_skip_blanks(next + words_length(next))))
+    if ((words_is(next, "every") || words_is(next, "each")) && words_are_stitches(words_next(next)))
         return true;
     if (strchr("([", *next) && *next && isdigit((unsigned char)next[1]))
         return true;
@@ -240,7 +240,7 @@ bool prose_is_bare_row(const char *text, bool plain)
 
 bool prose_row_line(const char *text)
 {
-    const char *first = text + (*text == '*'), *number = words_skip_blanks(first + words_length(first));
+    const char *first = text + (*text == '*'), *number = words_next(first);
 
     return words_are(first, WORDS_PLAIN) && isdigit((unsigned char)*number) && !words_are_rows(words_skip_blanks(number + strspn(number, "0123456789"))) &&
            !words_line_has(text, "rib") && !words_line_has(text, "ribbing") && !words_line_has(text, "rows") && !words_line_has(text, "more");
@@ -359,7 +359,7 @@ size_t prose_sentence_length(const char *text)
 
 bool prose_counts_fabric(const char *text)
 {
-    const char *rows = words_behind_number(text), *of = rows && words_are_rows(rows) ? words_skip_blanks(rows + words_length(rows)) : NULL;
+    const char *rows = words_behind_number(text), *of = rows && words_are_rows(rows) ? words_next(rows) : NULL;
 
     return of && (words_is(of, "of") || words_is(of, "in")) && prose_fabric_follows(words_skip_blanks(of + 2));
 }
@@ -404,10 +404,10 @@ size_t prose_but_end(const char *text)
 
     if (words_find(at, but, 2) < 0)
         return 0;
-    at = words_skip_blanks(at + words_length(at));
+    at = words_next(at);
     if (!words_are(at, WORDS_END))
         return 0;
-    at = words_skip_blanks(at + words_length(at));
+    at = words_next(at);
     at = words_is(at, "with") ? words_skip_blanks(at + 4) : at;
     return (size_t)(at - text);
 }
@@ -420,7 +420,7 @@ bool prose_comma_is_idle(const char *text)
 bool prose_row_is_named(const char *text)
 {
     text = words_skip_blanks(text);
-    return words_are_rows(text) && *words_skip_blanks(text + words_length(text)) == ':';
+    return words_are_rows(text) && *words_next(text) == ':';
 }
 
 bool prose_row_is_labelled(const char *text)
@@ -456,7 +456,7 @@ bool prose_rows_are_named(const char *text)
 {
     const char *behind = words_behind_number(text);
 
-    return behind && words_are_rows(behind) && strchr(",:", *words_skip_blanks(behind + words_length(behind))) && *words_skip_blanks(behind + words_length(behind));
+    return behind && words_are_rows(behind) && strchr(",:", *words_next(behind)) && *words_next(behind);
 }
 
 bool prose_names_needle(const char *text)
@@ -464,7 +464,7 @@ bool prose_names_needle(const char *text)
     static const char *const words[] = {"needle", "needles", "dpn", "pin"};
 
     text = words_skip_blanks(text);
-    return words_find(text, words, 4) >= 0 && strchr(":,-(", *words_skip_blanks(text + words_length(text))) && !prose_line_ends(text + words_length(text));
+    return words_find(text, words, 4) >= 0 && strchr(":,-(", *words_next(text)) && !prose_line_ends(text + words_length(text));
 }
 
 /* The words of a sentence without a sign, a number or a word of a row's text; 0: it has one. */
@@ -515,7 +515,7 @@ bool prose_heads_rows(const char *sentence, const char *behind)
 bool prose_works_until(const char *text)
 {
     static const char *const work[] = {"k", "knit", "p", "purl"};
-    const char *next = words_skip_blanks(text + words_length(text));
+    const char *next = words_next(text);
 
     if (words_find(text, work, 4) < 0)
         return false;
@@ -547,14 +547,14 @@ bool prose_is_measure(const char *text)
 bool prose_side_is_worked(const char *text)
 {
     static const char *const work[] = {"knit", "purl"};
-    const char *behind = words_skip_blanks(text + words_length(text));
+    const char *behind = words_next(text);
 
     return words_are(text, WORDS_SIDE) && *behind == ':' && words_find(words_skip_blanks(behind + 1), work, 2) >= 0;
 }
 
 bool prose_row_follows(const char *text)
 {
-    return words_are_rows(text) && isdigit((unsigned char)*words_skip_blanks(text + words_length(text)));
+    return words_are_rows(text) && isdigit((unsigned char)*words_next(text));
 }
 
 bool prose_is_remark(const char *text)
@@ -597,7 +597,7 @@ static const char *behind_head(const char *text)
 {
     if (!words_are_rows(text))
         return NULL;
-    text = words_skip_blanks(text + words_length(text));
+    text = words_next(text);
     if (!isdigit((unsigned char)*text))
         return NULL;
     while (isdigit((unsigned char)*text) || strchr(" \t-,&()", *text ? *text : '.') || words_is(text, "and") || words_is(text, "to") ||
@@ -609,7 +609,7 @@ static const char *behind_head(const char *text)
 bool prose_pattern_follows(const char *text)
 {
     static const char *const multiple[] = {"multiple", "mult"};
-    const char *head = behind_head(text), *number = words_skip_blanks(text + words_length(text));
+    const char *head = behind_head(text), *number = words_next(text);
 
     if (head)
         return *head == ':' || prose_stitches_follow(head);

@@ -214,7 +214,7 @@ bool refused_word(struct diag *diag, const char *word, struct span span)
 /* `place a marker` */
 static bool is_marker(const char *text)
 {
-    const char *what = words_skip_blanks(text + words_length(text));
+    const char *what = words_next(text);
 
     what = words_is(what, "a") ? words_skip_blanks(what + 1) : what;
     return words_is(text, "place") && (words_is(what, "marker") || words_is(what, "markers"));

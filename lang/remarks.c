@@ -49,11 +49,11 @@ static bool behind_fabric(const char *text, size_t at)
 static bool is_purpose(const char *text, size_t close)
 {
     static const char *const verb[] = {"make", "form", "create", "get", "keep", "match"}, *const left[] = {"remain", "remaining", "rem", "left"};
-    const char *second = words_skip_blanks(text + 1 + words_length(text + 1)), *sts = words_behind_number(text + 1), *next = words_skip_blanks(text + close + 1);
+    const char *second = words_next(text + 1), *sts = words_behind_number(text + 1), *next = words_skip_blanks(text + close + 1);
 
     if (words_is(text + 1, "to"))
         return words_find(second, verb, sizeof verb / sizeof *verb) >= 0;
-    return sts && words_are_stitches(sts) && words_find(words_skip_blanks(sts + words_length(sts)), left, 4) >= 0 && prose_stitches_follow(next);
+    return sts && words_are_stitches(sts) && words_find(words_next(sts), left, 4) >= 0 && prose_stitches_follow(next);
 }
 
 size_t remarks_length(const char *text, size_t at)

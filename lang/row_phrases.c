@@ -93,7 +93,7 @@ static const char *skip_words(const char *text, const char *const *word, int n)
 {
     text = words_skip_blanks(text);
     while (words_find(text, word, n) >= 0)
-        text = words_skip_blanks(text + words_length(text));
+        text = words_next(text);
     return text;
 }
 
@@ -110,7 +110,7 @@ size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_
     if (n < 1)
         return 0;
     rows = skip_words(words_behind_number(number), of, 11);
-    first = words_skip_blanks(rows + words_length(rows));
+    first = words_next(rows);
     if (!words_are_rows(rows) || !isdigit((unsigned char)*first) || tolower((unsigned char)rows[words_length(rows) - 1]) != 's')
         return 0;
     for (const char *word = text + at; word < number; word += words_length(word) + 1)

@@ -75,7 +75,7 @@ static char translated_stitch(const char *text, size_t at)
 {
     static const char *const words[] = {"right", "rights", "plain", "wrong", "wrongs"}, *const others[] = {"side", "sides", "row", "rows", "rnd", "rnds", "round", "rounds"};
     int word = words_find(text + at, words, 5);
-    const char *behind = words_skip_blanks(text + at + words_length(text + at));
+    const char *behind = words_next(text + at);
 
     if (word < 0 || at < 2 || text[at - 1] != ' ' || !isdigit((unsigned char)text[at - 2]) || words_find(behind, others, 8) >= 0 || !remarks_in_row(text, at))
         return 0;
@@ -109,7 +109,7 @@ static bool is_side_between(const char *text, size_t at)
 
     if (!words_are(text + at + 1, WORDS_SIDE) || text[at + 3] != ')' || !words_are_rows(behind))
         return false;
-    behind = words_skip_blanks(behind + words_length(behind));
+    behind = words_next(behind);
     behind = *behind == ':' ? words_skip_blanks(behind + 1) : "";
     if (!words_are(behind, WORDS_PLAIN) || !prose_line_ends(behind + words_length(behind)))
         return false;

@@ -334,7 +334,7 @@ bool syntax_onwards(const struct parse *parse, struct span span, const struct ro
     const char *plain = parse->text + span.start, *text = span.source->text + span.start;
 
     return !numbers->next && !numbers->last && !numbers->all &&
-           (words_is(words_skip_blanks(plain + words_length(plain)), "from") || words_is(words_skip_blanks(text + words_length(text)), "from"));
+           (words_is(words_next(plain), "from") || words_is(words_next(text), "from"));
 }
 
 struct again syntax_go_on(struct span span, struct expr *count)

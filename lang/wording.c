@@ -457,25 +457,20 @@ static void put_described_rib(struct wording *w, size_t at)
 
 /* ---- rows that are rounds ---- */
 
-static const char *next_word(const char *text)
-{
-    return words_skip_blanks(text + words_length(text));
-}
-
 /* `This is knit in the round`, `is worked in rounds`; not `may be knit in the round`, `knit in the round or flat`. */
 static bool says_round(const char *text, size_t at)
 {
     static const char *const work[] = {"knit", "knitted", "worked", "made"}, *const maybe[] = {"can", "could", "may", "might", "if", "to", "either", "not", "when"},
                              *const round[] = {"round", "rounds", "rnd", "rnds"}, *const either[] = {"or", "and"};
-    const char *next = next_word(text + at);
+    const char *next = words_next(text + at);
 
     if (words_find(text + at, work, 4) < 0)
         return false;
     for (int i = 0; i < 6 && !words_is(next, "in"); i++)
-        next = next_word(next);
-    next = words_is(next, "in") ? next_word(next) : "";
-    next = words_is(next, "the") ? next_word(next) : next;
-    if (words_find(next, round, 4) < 0 || words_find(next_word(next), either, 2) >= 0)
+        next = words_next(next);
+    next = words_is(next, "in") ? words_next(next) : "";
+    next = words_is(next, "the") ? words_next(next) : next;
+    if (words_find(next, round, 4) < 0 || words_find(words_next(next), either, 2) >= 0)
         return false;
     for (size_t back = 0; back < at && back < WORDS_MARGIN && !strchr(".\r\n", text[at - back - 1]); back++)
         if (words_find(text + at - back, maybe, sizeof maybe / sizeof *maybe) >= 0)
