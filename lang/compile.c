@@ -10,10 +10,8 @@
 #include "lang/limits.h"
 #include "lang/outputs.h"
 #include "lang/page_chart.h"
-#include "lang/page_sides.h"
 #include "lang/params.h"
 #include "lang/settings.h"
-#include "lang/words.h"
 
 /* What is being put together. */
 struct compilation {
@@ -307,8 +305,7 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
     struct body body = {.rows = rows_new(eval->arena, eval->diag), .round = body_in_rounds(eval->main->file), .top = true};
 
     rows_describe(body.rows, body_describes(eval->main->file));
-    if (words_are_page(eval->main->source->text, eval->main->source->size))
-        rows_side(body.rows, page_sides(eval->main->source->text));
+    rows_side(body.rows, eval->main->side);
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
         if (!makes_rows(stmt) && (stmt->kind != STMT_PATTERN || !body.first.source))
             continue;

@@ -416,13 +416,15 @@ static struct module *module_load(struct eval *eval, const struct source *source
                                   const char *key)
 {
     struct module *module = arena_new(eval->arena, struct module);
+    struct parse parse = parse_read(eval->arena, eval->diag, eval->names, source);
 
     *module = (struct module){
         .source = source, .folder = folder, .key = key, .loading = true, .next = eval->module};
     eval->module = module;
     if (!eval->main)
         eval->main = module;
-    module->file = parse_file(eval->arena, eval->diag, eval->names, source);
+    module->file = parse_statements(&parse);
+    module->side = parse.facts.first;
     declare_names(eval, module);
     stitches_declare(eval, module);
     module->loading = false;

@@ -236,12 +236,9 @@ size_t source_blank(const char *text)
     return *text && strchr(" \t\f\v", *text) ? 1 : 0;
 }
 
-/* The text with every kind of blank as a plain one and its words put plainly, byte for byte at its place. */
-static const char *plain_text(struct parse *parse)
+/* The text with every kind of blank as a plain one, byte for byte at its place. */
+static const char *plain_characters(struct arena *arena, const struct source *source)
 {
-    struct arena *arena = parse->arena;
-    const struct source *source = parse->source;
-    const char *plain;
     char *text = NULL;
 
     for (size_t at = 0; (at += strcspn(source->text + at, spelling_first)) < source->size; at++) {
@@ -254,13 +251,23 @@ static const char *plain_text(struct parse *parse)
         at += strlen(spelling->text) - 1;
         text[at] = spelling->plain;
     }
-    if (!words_are_page(source->text, source->size)) {
-        parse->joined = wording_is_joined(source->text);
-        return text ? text : source->text;
-    }
-    plain = marks_plain(arena, text ? text : source->text, source->size);
-    plain = named_plain(arena, joined_plain(arena, plain, source->size), source->size, &parse->named);
-    return wording_plain(arena, plain, source->size, &parse->joined);
+    return text ? text : source->text;
+}
+
+/* The same with its words put plainly, too, and what it says of all its rows. */
+static const char *plain_text(struct parse *parse)
+{
+    struct arena *arena = parse->arena;
+    size_t size = parse->source->size;
+    const char *text = plain_characters(arena, parse->source);
+    bool page = words_are_page(text, size);
+
+    text = page ? marks_plain(arena, text, size) : text;
+    parse->facts = page_facts_read(text, size);
+    if (!page)
+        return text;
+    text = named_plain(arena, joined_plain(arena, text, size), size, &parse->named);
+    return wording_plain(arena, text, size, &parse->facts);
 }
 
 /* The same where a page's chart is, whose lines stay. */
@@ -323,7 +330,6 @@ struct parse parse_read(struct arena *arena, struct diag *diag, struct names *na
         return parse;
     parse.chart = page_chart_find(arena, source);
     parse.text = read_as(&parse);
-    parse.page = prose_is_page(source->text, source->size);
     return parse;
 }
 
@@ -333,19 +339,12 @@ struct stmt *parse_statements(struct parse *parse)
 
     if (!parse->text)
         return NULL;
-    if (!parse->joined)
+    if (!parse->facts.rounds)
         warn_of_loom(parse);
     parse->scanner = &scanner;
     scanner_parse(&scanner);
     append_chart(parse);
     return parse->file;
-}
-
-struct stmt *parse_file(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
-{
-    struct parse parse = parse_read(arena, diag, names, source);
-
-    return parse_statements(&parse);
 }
 
 struct expr *parse_expression(struct arena *arena, struct diag *diag, struct names *names,

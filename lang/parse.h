@@ -6,8 +6,9 @@
 
 #include "lang/ast.h"
 #include "lang/named.h"
-#include "lang/ribs.h"
 #include "lang/names.h"
+#include "lang/page_facts.h"
+#include "lang/ribs.h"
 #include "lang/words.h"
 
 struct parse {
@@ -22,8 +23,7 @@ struct parse {
     const struct page_chart *chart;     /* a page's, whose lines are text; or NULL */
     struct named         named;         /* patterns it calls by a name, */
     struct ribs          ribs;          /* and ribs */
-    bool                 page;          /* of a knitter's words alone */
-    bool                 joined;        /* in the round: what is called a row is one */
+    struct page_facts    facts;
     struct words_line    line;          /* of the source that an error was in last */
     struct span          knitted;       /* a part of it without a word that cannot be knitted */
     bool                 too_deep;      /* an expression was: it is said once */
@@ -34,7 +34,6 @@ struct parse parse_read(struct arena *, struct diag *, struct names *, const str
 
 /* Statements of a whole script; NULL also for one without any. Errors are in diag. */
 struct stmt *parse_statements(struct parse *);
-struct stmt *parse_file(struct arena *, struct diag *, struct names *, const struct source *);
 
 /* The expression at byte `start` of a text and to its end; never NULL. */
 struct expr *parse_expression(struct arena *, struct diag *, struct names *, const struct source *, unsigned start);

@@ -197,7 +197,7 @@ bool scanner_prose(struct scanner *scanner)
     int lines;
 
     scanner_looks_on(scanner);
-    if (prose_line_is_copyright(text) || (parse->page && prose_line_is_rule(text)) || prose_line_is_explained(text))
+    if (prose_line_is_copyright(text) || (parse->facts.knitters && prose_line_is_rule(text)) || prose_line_is_explained(text))
         return true;
     if (again && !prose_reads(text, false))
         return false;
@@ -209,7 +209,7 @@ bool scanner_prose(struct scanner *scanner)
         scanner->titles++;
         return true;
     }
-    if (!again && !prose_is_keyword(text) && !prose_reads(text, false) && !prose_line_is_heading(text) && !(parse->page && prose_line_is_idle(text)) &&
+    if (!again && !prose_is_keyword(text) && !prose_reads(text, false) && !prose_line_is_heading(text) && !(parse->facts.knitters && prose_line_is_idle(text)) &&
         (scanner->begun || prose_line_is_mistyped(text) || !prose_is_measure(text)))
         return false;
 

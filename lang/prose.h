@@ -18,9 +18,6 @@ bool prose_heads_rows(const char *sentence, const char *behind);
 
 bool prose_is_aside(const char *text);              /* "Easy, right?": no word of a row's text */
 
-/* Whether a text is the page of a pattern: rows in a knitter's words, and no statement of the language's own. */
-bool prose_is_page(const char *text, size_t size);
-
 /* Whether the line holds measures, `24 stitches, 12 rows`, `To fit chest 81[86:91] cm`, and no work. */
 bool prose_is_measure(const char *text);
 

@@ -385,33 +385,6 @@ bool prose_line_is_keyword(const char *text)
     return words_find(text, word, sizeof word / sizeof *word) >= 0 && !prose_is_keyword(text);
 }
 
-/* `motif flag {`, `for i in 1..4 {`: a block of the language's own. */
-static bool begins_block(const char *text)
-{
-    size_t n = words_line_length(text);
-
-    while (n > 0 && strchr(" \t", text[n - 1]))
-        n--;
-    return (n > 0 && text[n - 1] == '{') || (memchr(text, '{', n) && !prose_reads(text, true) && words_is(text, "chart"));
-}
-
-bool prose_is_page(const char *text, size_t size)
-{
-    bool rows = false;
-
-    if (!words_are_page(text, size))
-        return false;
-    for (size_t at = 0, line; at < size; at += line + 1) {
-        const char *first = text + at + strspn(text + at, " \t*-");
-
-        line = words_line_length(text + at);
-        if ((prose_line_is_keyword(first) && !prose_line_ends(first + words_length(first))) || begins_block(first))
-            return false;
-        rows |= prose_row_follows(first) || prose_begins_cast_on(first);
-    }
-    return rows;
-}
-
 /* `- * -`: no letter and no figure. */
 bool prose_line_is_rule(const char *text)
 {

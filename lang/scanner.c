@@ -138,7 +138,7 @@ int scanner_begin_bare(struct scanner *scanner, KNIT_STYPE *value, struct span *
 
     scanner_advance(scanner, span, 0);
     scanner_begin(scanner, TOKEN_ROW);
-    scanner_round(value, scanner->parse->joined ? "rnd" : "row");
+    scanner_round(value, scanner->parse->facts.rounds ? "rnd" : "row");
     scanner->bare = number + 1;
     return scanner_token(scanner, TOKEN_BARE_ROW);
 }

@@ -54,8 +54,6 @@ struct scanner {
     unsigned      tight;            /* where stitches without a blank between them end */
     unsigned      prose_end;        /* lines before this were called prose */
     bool          quiet;            /* an unclosed bracket was reported: no more about it */
-    bool          gauge_read;
-    double        gauge;            /* rows per millimetre, of the whole text; 0: none is said */
     struct span   unclosed;         /* the bracket that was open within the line where it ended */
     int           nopen;
     struct open   open[LIMIT_NESTING];

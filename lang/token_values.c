@@ -342,10 +342,7 @@ void scanner_measure(struct scanner *scanner, KNIT_STYPE *value, struct span spa
 {
     double length = lengths_wanted(phrase, &value->measure.part), rows;
 
-    if (!scanner->gauge_read)
-        scanner->gauge = lengths_gauge(scanner->parse->text);
-    scanner->gauge_read = true;
-    rows = ceil(length * scanner->gauge - 1e-6);
+    rows = ceil(length * scanner->parse->facts.gauge - 1e-6);
     value->measure.rows = rows > 0 && rows <= LIMIT_ROWS ? (int)rows : 0;
     if (value->measure.rows == 0)
         return;

@@ -9,6 +9,7 @@
 #include <strings.h>
 
 #include "lang/heads.h"
+#include "lang/page_facts.h"
 #include "lang/phrases.h"
 #include "lang/printed.h"
 #include "lang/prose.h"
@@ -155,8 +156,7 @@ struct wording {
     const char *text;
     size_t size;
     bool copied;
-    size_t sizes;       /* where the cast-on names further sizes, nsizes of them; 0: none */
-    int nsizes;
+    const struct page_facts *facts;
     size_t label, nlabel;       /* the words before the rows of this part, `Rib row 1:`, as they were written; 0: none */
     bool labelled;              /* those of a part have such words */
     const char *written;
@@ -410,26 +410,6 @@ static void put_stars(struct wording *w, size_t rep)
             text[first] = '*';
 }
 
-/* Where `(26, 30)` of a cast-on stands, and how many further sizes that are; or 0. */
-static size_t cast_on_sizes(const char *text, int *n)
-{
-    size_t bracket = 0;
-
-    for (size_t at = strcspn(text, "cC"); text[at] && !bracket; at += 1 + strcspn(text + at + 1, "cC")) {
-        bool begins = at == 0 || !isalnum((unsigned char)text[at - 1]);
-        size_t cast = begins ? one_of("cast on|co", text + at) : 0, digits;
-
-        if (!cast)
-            continue;
-        cast = at + cast + strspn(text + at + cast, " ");
-        digits = strspn(text + cast, "0123456789");
-        cast += digits + strspn(text + cast + digits, " ");
-        if (digits && strchr("([", text[cast]) && text[cast] && prose_sizes_length(text + cast, n))
-            bracket = cast;
-    }
-    return bracket;
-}
-
 /* How long `(5, 6)` behind a number is, where the cast-on names as many further sizes; or 0. */
 static size_t other_sizes_length(const struct wording *w, size_t at)
 {
@@ -438,8 +418,8 @@ static size_t other_sizes_length(const struct wording *w, size_t at)
 
     while (before > 0 && w->text[before - 1] == ' ')
         before--;
-    length = w->sizes && at > w->sizes && before > 0 && isdigit((unsigned char)w->text[before - 1]) ? prose_sizes_length(w->text + at, &n) : 0;
-    return length && n == w->nsizes && (n > 1 || strchr(" ,", w->text[at + length])) ? length : 0;
+    length = w->facts->sizes && at > w->facts->sizes && before > 0 && isdigit((unsigned char)w->text[before - 1]) ? prose_sizes_length(w->text + at, &n) : 0;
+    return length && n == w->facts->nsizes && (n > 1 || strchr(" ,", w->text[at + length])) ? length : 0;
 }
 
 /* Puts `k2 p2 rib` for `Rib: *k2, p2*` at the beginning of a sentence. */
@@ -457,55 +437,6 @@ static void put_described_rib(struct wording *w, size_t at)
 
 /* ---- rows that are rounds ---- */
 
-/* `This is knit in the round`, `is worked in rounds`; not `may be knit in the round`, `knit in the round or flat`. */
-static bool says_round(const char *text, size_t at)
-{
-    static const char *const work[] = {"knit", "knitted", "worked", "made"}, *const maybe[] = {"can", "could", "may", "might", "if", "to", "either", "not", "when"},
-                             *const round[] = {"round", "rounds", "rnd", "rnds"}, *const either[] = {"or", "and"};
-    const char *next = words_next(text + at);
-
-    if (words_find(text + at, work, 4) < 0)
-        return false;
-    for (int i = 0; i < 6 && !words_is(next, "in"); i++)
-        next = words_next(next);
-    next = words_is(next, "in") ? words_next(next) : "";
-    next = words_is(next, "the") ? words_next(next) : next;
-    if (words_find(next, round, 4) < 0 || words_find(words_next(next), either, 2) >= 0)
-        return false;
-    for (size_t back = 0; back < at && back < WORDS_MARGIN && !strchr(".\r\n", text[at - back - 1]); back++)
-        if (words_find(text + at - back, maybe, sizeof maybe / sizeof *maybe) >= 0)
-            return false;
-    return true;
-}
-
-bool wording_is_joined(const char *text)
-{
-    static const char *const join[] = {"join", "joined", "joining"}, *const round[] = {"round", "rnd", "rounds", "circle", "twist", "twisted", "twisting"},
-                             *const flat[] = {"ws", "wrong", "turn"};
-    size_t said = 0;
-    bool joined = false, rows = false, rounds = false;
-
-    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
-        n = words_length(text + at);
-        if (!n || (at > 0 && isalnum((unsigned char)text[at - 1])))
-            continue;
-        if (words_find(text + at, flat, 3) >= 0)
-            return false;
-        if (prose_row_follows(text + at)) {
-            rows |= strncasecmp(text + at, "row", 3) == 0;
-            rounds |= strncasecmp(text + at, "row", 3) != 0;
-        }
-        if (rows && !joined)
-            return false;
-        joined |= says_round(text, at);
-        if (words_find(text + at, join, 3) >= 0)
-            said = at + 1;
-        else if (said && at < said + 100 && words_find(text + at, round, 7) >= 0)
-            joined = true;
-    }
-    return joined && !(rows && rounds);
-}
-
 /* `Row 1` is `Rnd 1`. */
 static void put_rounds(struct wording *w)
 {
@@ -516,18 +447,16 @@ static void put_rounds(struct wording *w)
     }
 }
 
-const char *wording_plain(struct arena *arena, const char *text, size_t size, bool *joined)
+const char *wording_plain(struct arena *arena, const char *text, size_t size, const struct page_facts *facts)
 {
-    struct wording w = {.arena = arena, .text = text, .size = size, .written = text};
+    struct wording w = {.arena = arena, .text = text, .size = size, .facts = facts, .written = text};
     struct phrases *phrases = phrases_read(arena, turns_of_pages, turns_of_pages_number), *printed = phrases_read(arena, turns_of_books, turns_of_books_number);
     struct words_line line = {0};
     int depth = 0;
 
     put_printed(&w);
-    *joined = wording_is_joined(w.text);
-    if (*joined)
+    if (facts->rounds)
         put_rounds(&w);
-    w.sizes = cast_on_sizes(w.text, &w.nsizes);
     for (size_t at = 0; at < size;) {
         unsigned char c = (unsigned char)w.text[at];
 

@@ -3,17 +3,14 @@
 #ifndef WEFT_WORDING_H
 #define WEFT_WORDING_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "lang/arena.h"
 
-/* The text with its turns of phrase put plainly, in as many bytes: places stay
- * the same. Texts in quotes are left alone. `joined`: what its rows are called says they are rounds. */
-const char *wording_plain(struct arena *, const char *text, size_t size, bool *joined);
+struct page_facts;
 
-/* Whether `join .. in the round` stands before the rows, no row has a wrong side,
- * and rows are not called both. */
-bool wording_is_joined(const char *text);
+/* The text with its turns of phrase put plainly, in as many bytes: places stay
+ * the same. Texts in quotes are left alone. */
+const char *wording_plain(struct arena *, const char *text, size_t size, const struct page_facts *);
 
 #endif

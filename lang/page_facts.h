@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * What the sentences of a page say of all its rows, wherever they stand. */
+#ifndef WEFT_PAGE_FACTS_H
+#define WEFT_PAGE_FACTS_H
+
+#include "lang/ast.h"
+
+struct page_facts {
+    bool      knitters;     /* rows in a knitter's words, and no statement of the language's own */
+    bool      rounds;       /* the stitches are joined before the rows: what is called a row is a round */
+    enum side first;        /* the side of row 1; open: nothing is said of it, or both */
+    double    gauge;        /* rows per millimetre, "20 sts and 28 rows = 4 in"; 0: none is said */
+    size_t    sizes;        /* where the cast-on names further sizes, `20 (26, 30)`, */
+    int       nsizes;       /* so many of them; 0: it names none */
+};
+
+/* Those of a text whose marks are plain. Of one longer than a page's only whether its rows are rounds. */
+struct page_facts page_facts_read(const char *text, size_t size);
+
+#endif
