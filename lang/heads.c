@@ -53,7 +53,7 @@ static size_t label_length(const char *text)
     size_t at = 0;
 
     for (int words = 0; words < 4 && isalpha((unsigned char)text[at]); words++) {
-        if (prose_row_word(text + at) && !prose_row_follows(text + at))
+        if (prose_row_word(text + at) && !words_row(text + at))
             return 0;
         while (isalpha((unsigned char)text[at]))
             at++;
@@ -61,7 +61,7 @@ static size_t label_length(const char *text)
     }
     for (int i = 0; at > 0 && i < 3; i++)
         if (strncmp(text + at, dashes[i], strlen(dashes[i])) == 0)
-            return prose_row_follows(text + at + strlen(dashes[i])) ? at + strlen(dashes[i]) : 0;
+            return words_row(text + at + strlen(dashes[i])) ? at + strlen(dashes[i]) : 0;
     return 0;
 }
 
@@ -78,7 +78,7 @@ size_t heads_rows_named(const char *text)
         at += words_length(text + at);
         at += strspn(text + at, " ");
     }
-    return words && text[at - 1] == ' ' && prose_row_follows(text + at) ? at : 0;
+    return words && text[at - 1] == ' ' && words_row(text + at) ? at : 0;
 }
 
 size_t heads_label(const char *text)
@@ -266,7 +266,7 @@ static size_t signs_of_heading(const char *text)
     size_t at = strspn(text, "#"), line = words_line_length(text);
 
     at += strspn(text + at, " *");
-    return at && prose_row_follows(text + at) && prose_stitches_follow(text + line + strspn(text + line, "\r\n \t*-")) && !memchr(text + at, ',', line - at) ? at : 0;
+    return at && words_row(text + at) && prose_stitches_follow(text + line + strspn(text + line, "\r\n \t*-")) && !memchr(text + at, ',', line - at) ? at : 0;
 }
 
 size_t heads_cast_on(const char *text)

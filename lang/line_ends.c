@@ -45,7 +45,7 @@ static bool item_follows(const struct scanner *scanner, const char *text)
 
     for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
         if (strncmp(text, marks[i], strlen(marks[i])) == 0)
-            return prose_row_follows(text + strlen(marks[i])) && statement_follows(scanner, text + strlen(marks[i]));
+            return words_row(text + strlen(marks[i])) && statement_follows(scanner, text + strlen(marks[i]));
     return false;
 }
 

@@ -35,19 +35,6 @@ static const char *next_line(const char *text)
     return text + strspn(text, " \t\r\n");
 }
 
-/* "Row 1", "Rnd 1:", "Rows 1 and 3", "1st row", "R1". */
-static bool is_row_1(const char *text)
-{
-    const char *number = text + words_length(text);
-
-    if (!strchr("rR1", *text))
-        return false;
-    if (strncasecmp(text, "1st ", 4) == 0)
-        return words_are_rows(text + 4);
-    number += words_are_rows(text) ? strspn(number, " \t") : 0;
-    return (words_are_rows(text) || words_is(text, "r")) && *number == '1' && !isdigit((unsigned char)number[1]);
-}
-
 /* What may stand between a name and its rows. */
 static bool is_about_rows(const char *text)
 {
@@ -63,7 +50,7 @@ static const char *rows_below(const char *line)
 
     for (int i = 0; i < LINES_BETWEEN && is_about_rows(next); i++)
         next = next_line(next);
-    return is_row_1(next) ? next : NULL;
+    return words_row(next) == 1 ? next : NULL;
 }
 
 /* `K2, P2 Rib`, `Pattern 2`: figures are a part of a name only beside such a word, and where no rows are counted. */
@@ -110,7 +97,7 @@ static bool same_name(const struct name *a, const struct name *b)
 static void find_names(const char *text, struct names_of_page *names)
 {
     for (const char *line = text + strspn(text, " \t\r\n"); *line && names->n < MOST_NAMES; line = next_line(line)) {
-        const char *rows = is_row_1(line) || is_about_rows(line) ? NULL : rows_below(line);
+        const char *rows = words_row(line) == 1 || is_about_rows(line) ? NULL : rows_below(line);
         struct name name = rows ? name_of(line, rows) : (struct name){0};
 
         if (!name.length)

@@ -35,7 +35,7 @@ static bool is_knitters(const char *text, size_t size)
         line = words_line_length(text + at);
         if ((prose_line_is_keyword(first) && !prose_line_ends(first + words_length(first))) || begins_block(first))
             return false;
-        rows |= prose_row_follows(first) || prose_begins_cast_on(first);
+        rows |= words_row(first) || prose_begins_cast_on(first);
     }
     return rows;
 }
@@ -77,9 +77,9 @@ static bool is_joined(const char *text)
             continue;
         if (words_find(text + at, flat, 3) >= 0)
             return false;
-        if (prose_row_follows(text + at)) {
+        if (words_row(text + at)) {
             rows |= strncasecmp(text + at, "row", 3) == 0;
-            rounds |= strncasecmp(text + at, "row", 3) != 0;
+            rounds |= n > 1 && strncasecmp(text + at, "row", 3) != 0;
         }
         if (rows && !joined)
             return false;

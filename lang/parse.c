@@ -312,7 +312,7 @@ static void warn_of_loom(struct parse *parse)
         n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
         if (text[at] == '#' || !n || (at > 0 && isalnum((unsigned char)text[at - 1])))
             continue;
-        rows |= prose_row_follows(text + at) && strncasecmp(text + at, "row", 3) == 0;
+        rows |= words_row(text + at) && strncasecmp(text + at, "row", 3) == 0;
         if (words_find(text + at, loom, 2) >= 0)
             said = (struct span){parse->source, (unsigned)at, (unsigned)(at + n)};
     }

@@ -109,12 +109,6 @@ size_t prose_length(const struct scanner *scanner, const char *text)
     return line;
 }
 
-/* `Row 1`, `Row one` */
-static bool is_row_head(const char *text)
-{
-    return words_are_rows(text) && words_number(words_next(text)) > 0;
-}
-
 /* `Now K 3, P 12, K 3 on the wrong side`, `Rib 2 and 2 for 6 rows`, `Change to stocking-stitch`, `Repeat from ** to **`:
  * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again, so many times. */
 static bool asks_for_work(const char *text, size_t length)
@@ -125,7 +119,7 @@ static bool asks_for_work(const char *text, size_t length)
     size_t colon = strcspn(text, ":.\r\n");
     int first = words_find(text, lead, sizeof lead / sizeof *lead), here = first, stitches = 0;
     bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
-    bool heading = length > 0 && text[length - 1] == ':' ? prose_heads_rows(text, text + length) : first > 8 && is_row_head(prose_line_next(text));
+    bool heading = length > 0 && text[length - 1] == ':' ? prose_heads_rows(text, text + length) : first > 8 && words_row(prose_line_next(text));
 
     if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0 ||
         (text[colon] == ':' && words_find(words_skip_blanks(text + colon + 1), advice, sizeof advice / sizeof *advice) >= 0))

@@ -141,7 +141,7 @@ size_t prose_rows_within(const char *text)
 
         if (isalnum((unsigned char)text[i - 1]) || !words_are(text + i, WORDS_PLAIN | WORDS_WORK))
             continue;
-        if ((rows && words_are_rows(rows)) || (words_is(text + i, "work") && prose_row_follows(behind)) || (words_are(behind, WORDS_EVERY) && words_are_rows(words_next(behind))) ||
+        if ((rows && words_are_rows(rows)) || (words_is(text + i, "work") && words_row(behind)) || (words_are(behind, WORDS_EVERY) && words_are_rows(words_next(behind))) ||
             (words_is(text + i, "work") && words_is(behind, "in") && prose_fabric_follows(words_skip_blanks(behind + 2))))
             return i;
     }
@@ -509,7 +509,7 @@ bool prose_heads_rows(const char *sentence, const char *behind)
     for (sentence += words_length(sentence); *sentence && *sentence != ':'; sentence += words_length(sentence) ? words_length(sentence) : 1)
         if (words_find(sentence, more, sizeof more / sizeof *more) >= 0)
             return false;
-    return prose_names_row(next) || (tolower((unsigned char)*next) == 'r' && isdigit((unsigned char)next[1]));
+    return prose_names_row(next) || words_row(next);
 }
 
 bool prose_works_until(const char *text)
@@ -550,11 +550,6 @@ bool prose_side_is_worked(const char *text)
     const char *behind = words_next(text);
 
     return words_are(text, WORDS_SIDE) && *behind == ':' && words_find(words_skip_blanks(behind + 1), work, 2) >= 0;
-}
-
-bool prose_row_follows(const char *text)
-{
-    return words_are_rows(text) && isdigit((unsigned char)*words_next(text));
 }
 
 bool prose_is_remark(const char *text)

@@ -114,7 +114,7 @@ size_t remarks_caption(const char *text, char plain[static SIGNS_PLAIN])
         return 0;
     for (; text[at] && !strchr("\r\n", text[at]); at += n ? n : 1) {
         n = words_length(text + at);
-        if (n ? words_are(text + at, worked) || words_find(text + at, work, sizeof work / sizeof *work) >= 0 || prose_row_follows(text + at)
+        if (n ? words_are(text + at, worked) || words_find(text + at, work, sizeof work / sizeof *work) >= 0 || words_row(text + at)
               : !(named && isdigit((unsigned char)text[at])) && !strchr(" \t.,:;-'\xE2\x80\x93\x94\x99", text[at]))
             return 0;
         words |= n > 0;

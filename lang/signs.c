@@ -242,7 +242,7 @@ static bool has_row_before(const char *text, size_t line, size_t end)
 {
     for (size_t n; line < end; line += n ? n : 1) {
         n = words_length(text + line);
-        if (n && prose_row_follows(text + line))
+        if (n && words_row(text + line))
             return memchr(text + line, ':', end - line) != NULL;
     }
     return false;
@@ -347,7 +347,7 @@ static size_t listed_length(const char *text, size_t at)
         open += strspn(text + open, " -");
         open += words_is(text + open, "numbered") ? 9 : 0;
         n = open - at;
-        if (prose_row_follows(text + open))
+        if (words_row(text + open))
             return n;
         open += words_are_rows(text + open) ? words_length(text + open) + 1 : 0;
     }

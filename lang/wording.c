@@ -283,7 +283,7 @@ static void put_head(struct wording *w, size_t at, bool inside)
             memcpy(own_text(w) + at, "cast on", 7);
         return;
     }
-    if (!inside && (heads_label(w->text + at) || prose_row_follows(w->text + at))) {
+    if (!inside && (heads_label(w->text + at) || words_row(w->text + at))) {
         w->label = at;
         w->nlabel = heads_label(w->text + at);
         w->labelled |= w->nlabel > 0;

@@ -96,6 +96,17 @@ const char *words_behind_number(const char *text)
     return words_are(text, WORDS_NUMBER) ? words_next(text) : NULL;
 }
 
+int words_row(const char *text)
+{
+    size_t ordinal = words_ordinal_length(text);
+
+    if (ordinal)
+        return words_are_rows(words_skip_blanks(text + ordinal)) ? words_number(text) : 0;
+    if (words_is(text, "r"))
+        return isdigit((unsigned char)text[1]) ? words_number(text + 1) : 0;
+    return words_are_rows(text) ? words_number(words_next(text)) : 0;
+}
+
 bool words_line_is_long(struct words_line *line, const char *text, size_t at)
 {
     if (at < line->start || at >= line->end)

@@ -212,6 +212,9 @@ size_t words_skip_quoted(const char *text, size_t at);
 /* A number in figures or, up to twelve, in letters; 0: there is none. */
 int words_number(const char *text);
 
+/* The number of the row whose head a text begins with, `Row 1`, `Rnds 1-4`, `Row one`, `1st row`, `R1`; 0: it begins otherwise. */
+int words_row(const char *text);
+
 /* Behind a number in figures or in letters; or NULL. */
 const char *words_behind_number(const char *text);
 
