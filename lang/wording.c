@@ -161,6 +161,7 @@ struct wording {
     bool labelled;              /* those of a part have such words */
     const char *written;
     size_t blank, behind_blank; /* a part of the text without a sign */
+    struct phrases *phrases, *printed;
 };
 
 static char *own_text(struct wording *w)
@@ -447,10 +448,76 @@ static void put_rounds(struct wording *w)
     }
 }
 
+/* ---- the text ---- */
+
+static bool begins_word(const struct wording *w, size_t at)
+{
+    return at == 0 || !isalnum((unsigned char)w->text[at - 1]);
+}
+
+/* What a line begins with, behind its marks: the head of a part of the pattern, a dash of a list. */
+static void put_line(struct wording *w, size_t at, int depth)
+{
+    size_t mark = at + strspn(w->text + at, " \t-");
+
+    if (mark < w->size && !words_ends_line(w->text[mark]))
+        put_head(w, mark, depth > 0 || goes_on(w, at));
+    if (mark > at && w->text[mark - 1] == '-' && prose_statement_follows(w->text + mark))
+        memset(own_text(w) + at, ' ', mark - at);
+}
+
+/* Brackets that only group: of further sizes, of a rib, braces of a measure or of stitches. */
+static void put_brackets(struct wording *w, size_t at)
+{
+    char c = w->text[at];
+
+    if ((c == '(' || c == '[') && other_sizes_length(w, at))
+        memset(own_text(w) + at, ' ', other_sizes_length(w, at));
+    if (c == '(' && rib_length(w->text + at))
+        put_rib(w, at, rib_length(w->text + at));
+    if (c == '{' && braces_length(w->text + at)) {
+        own_text(w)[at + braces_length(w->text + at) - 1] = ')';
+        own_text(w)[at] = '(';
+    }
+}
+
+/* What a word begins: `Cast on .. (I used 24)`, `Repeat rib rows ..`, `rep from +`. */
+static void put_word(struct wording *w, size_t at)
+{
+    char c = begins_word(w, at) ? (char)tolower((unsigned char)w->text[at]) : '\0';
+
+    if (c == 'c')
+        put_example(w, at);
+    if ((c == 'r' || c == 'w') && one_of("repeat|rep|work", w->text + at))
+        put_labelled(w, at);
+    if (c == 'r' && named_sign(w->text + at))
+        put_stars(w, at);
+}
+
+/* The turns of phrase that begin at a place. */
+static void put_phrases(struct wording *w, size_t at)
+{
+    if (!isgraph((unsigned char)w->text[at]))
+        return;
+    put_phrase(w, w->printed, turns_of_books, at);
+    put_phrase(w, w->phrases, turns_of_pages, at);
+}
+
+/* Behind the word, or the sign, that stands at a place. */
+static size_t behind_word(const struct wording *w, size_t at)
+{
+    bool word = isalnum((unsigned char)w->text[at++]);
+
+    while (word && at < w->size && isalnum((unsigned char)w->text[at]))
+        at++;
+    return at;
+}
+
 const char *wording_plain(struct arena *arena, const char *text, size_t size, const struct page_facts *facts)
 {
-    struct wording w = {.arena = arena, .text = text, .size = size, .facts = facts, .written = text};
-    struct phrases *phrases = phrases_read(arena, turns_of_pages, turns_of_pages_number), *printed = phrases_read(arena, turns_of_books, turns_of_books_number);
+    struct wording w = {.arena = arena, .text = text, .size = size, .facts = facts, .written = text,
+                        .phrases = phrases_read(arena, turns_of_pages, turns_of_pages_number),
+                        .printed = phrases_read(arena, turns_of_books, turns_of_books_number)};
     struct words_line line = {0};
     int depth = 0;
 
@@ -458,55 +525,28 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size, co
     if (facts->rounds)
         put_rounds(&w);
     for (size_t at = 0; at < size;) {
-        unsigned char c = (unsigned char)w.text[at];
-
         if (words_line_is_long(&line, w.text, at)) {
             depth = words_depth(w.text + at, line.end - at, depth);
             at = line.end;
             continue;
         }
-        if (c == '"') {
+        if (w.text[at] == '"') {
             at = words_skip_quoted(w.text, at);
             continue;
         }
-        if (c && strchr("rRkK123456", c) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])))
+        if (w.text[at] && strchr("rRkK123456", w.text[at]) && begins_word(&w, at))
             put_described_rib(&w, at);
         at += stitches_length(w.text + at);
-        c = (unsigned char)w.text[at];
-        if (strchr("([", c) && c && other_sizes_length(&w, at))
-            memset(own_text(&w) + at, ' ', other_sizes_length(&w, at));
-        if (c == '(' && rib_length(w.text + at))
-            put_rib(&w, at, rib_length(w.text + at));
-        if (at == 0 || strchr("\r\n", w.text[at - 1])) {
-            size_t mark = at + strspn(w.text + at, " \t-");
-
-            if (mark < size && !words_ends_line(w.text[mark]))
-                put_head(&w, mark, depth > 0 || goes_on(&w, at));
-            if (mark > at && w.text[mark - 1] == '-' && prose_statement_follows(w.text + mark))
-                memset(own_text(&w) + at, ' ', mark - at);
-        }
-        if (c == '*' && strncmp(w.text + at, "**", 2) == 0 && w.text[at + 2] != '*')
+        if (at == 0 || strchr("\r\n", w.text[at - 1]))
+            put_line(&w, at, depth);
+        put_brackets(&w, at);
+        if (strncmp(w.text + at, "**", 2) == 0 && w.text[at + 2] != '*')
             put_inner(&w, at);
-        if (strchr("cC", c) && c && (at == 0 || !isalnum((unsigned char)w.text[at - 1])))
-            put_example(&w, at);
-        if (strchr("rRwW", c) && c && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && one_of("repeat|rep|work", w.text + at))
-            put_labelled(&w, at);
-        if (c == '{' && braces_length(w.text + at)) {
-            own_text(&w)[at + braces_length(w.text + at) - 1] = ')';
-            own_text(&w)[at] = '(';
-        }
+        put_word(&w, at);
         depth += w.text[at] == '{' ? 1 : w.text[at] == '}' && depth > 0 ? -1 : 0;
-        if (strchr("rR", c) && strchr("eEpP", w.text[at + 1]) && (at == 0 || !isalnum((unsigned char)w.text[at - 1])) && named_sign(w.text + at))
-            put_stars(&w, at);
         put_sign(&w, at);
-        c = (unsigned char)w.text[at];
-        if (isgraph(c)) {
-            put_phrase(&w, printed, turns_of_books, at);
-            put_phrase(&w, phrases, turns_of_pages, at);
-        }
-        at++;
-        while (isalnum(c) && at < size && isalnum((unsigned char)w.text[at]))
-            at++;
+        put_phrases(&w, at);
+        at = behind_word(&w, at);
     }
     return w.text;
 }
