@@ -305,7 +305,7 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
     struct body body = {.rows = rows_new(eval->arena, eval->diag), .round = body_in_rounds(eval->main->file), .top = true};
 
     rows_describe(body.rows, body_describes(eval->main->file));
-    rows_side(body.rows, eval->main->side);
+    rows_of_page(body.rows, &eval->main->facts);
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
         if (!makes_rows(stmt) && (stmt->kind != STMT_PATTERN || !body.first.source))
             continue;

@@ -70,7 +70,7 @@ struct module {
     const char          *folder;        /* of the file, for what it uses; NULL: built in */
     const char          *key;           /* its identity: two files of one key are one */
     struct stmt         *file;
-    enum side            side;          /* of row 1, where its sentences say it; or open */
+    struct page_facts    facts;
     bool                 loading;
     int                  nnames;
     struct binding      *first, *last;

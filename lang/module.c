@@ -424,7 +424,7 @@ static struct module *module_load(struct eval *eval, const struct source *source
     if (!eval->main)
         eval->main = module;
     module->file = parse_statements(&parse);
-    module->side = parse.facts.first;
+    module->facts = parse.facts;
     declare_names(eval, module);
     stitches_declare(eval, module);
     module->loading = false;

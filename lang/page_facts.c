@@ -92,6 +92,28 @@ static bool is_joined(const char *text)
     return joined && !(rows && rounds);
 }
 
+/* ---- looms ---- */
+
+/* Behind the last `loom` of a text with rows; 0: there is none. */
+static size_t find_loom(const char *text, bool *pegs)
+{
+    static const char *const loom[] = {"loom", "looms"}, *const peg[] = {"peg", "pegs"};
+    size_t behind = 0;
+    bool rows = false, rounds = false;
+
+    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
+        n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
+        if (text[at] == '#' || !n || (at > 0 && isalnum((unsigned char)text[at - 1])))
+            continue;
+        rows |= words_are_rows(text + at) && strncasecmp(text + at, "row", 3) == 0;
+        rounds |= n > 1 && words_row(text + at) && strncasecmp(text + at, "row", 3) != 0;
+        *pegs |= words_find(text + at, peg, 2) >= 0;
+        behind = words_find(text + at, loom, 2) >= 0 ? at + n : behind;
+    }
+    *pegs &= rows && !rounds && behind;
+    return rows && !rounds ? behind : 0;
+}
+
 /* ---- sizes ---- */
 
 /* Where `(26, 30)` of a cast-on stands, and how many further sizes that are; or 0. */
@@ -123,6 +145,7 @@ struct page_facts page_facts_read(const char *text, size_t size)
     facts.knitters = is_knitters(text, size);
     facts.first = page_sides(text);
     facts.gauge = lengths_gauge(text);
+    facts.loom = facts.rounds ? 0 : find_loom(text, &facts.pegs);
     facts.sizes = find_sizes(text, &facts.nsizes);
     return facts;
 }

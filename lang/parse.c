@@ -300,26 +300,21 @@ static void append_chart(struct parse *parse)
     *last = stmt;
 }
 
-/* Rows of a knitting loom are not turned: all are worked from the front, as if every second one were not purled. */
+/* Says how rows are read of which a page says, or may mean, that they are a loom's. */
 static void warn_of_loom(struct parse *parse)
 {
-    static const char *const loom[] = {"loom", "looms"};
-    const char *text = parse->source->text;
-    struct span said = {0};
-    bool rows = false;
+    unsigned behind = (unsigned)parse->facts.loom;
+    struct span word = {parse->source, behind, behind};
 
-    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
-        n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
-        if (text[at] == '#' || !n || (at > 0 && isalnum((unsigned char)text[at - 1])))
-            continue;
-        rows |= words_row(text + at) && strncasecmp(text + at, "row", 3) == 0;
-        if (words_find(text + at, loom, 2) >= 0)
-            said = (struct span){parse->source, (unsigned)at, (unsigned)(at + n)};
+    while (word.start > 0 && isalpha((unsigned char)parse->source->text[word.start - 1]))
+        word.start--;
+    if (parse->facts.pegs) {
+        diag_warning(parse->diag, CODE_PROSE, word, "rows are read as on a loom: all are worked from the front");
+        diag_hint(parse->diag, "where the work is turned, call what holds the stitches needles, not pegs");
+    } else if (behind) {
+        diag_warning(parse->diag, CODE_PROSE, word, "rows are read as on needles, where the work is turned; on a loom all are worked from the front");
+        diag_hint(parse->diag, "`Loom with 32 pegs`, and they are read so");
     }
-    if (!rows || !said.source)
-        return;
-    diag_warning(parse->diag, CODE_PROSE, said, "rows are read as on needles, where the work is turned; on a loom all are worked from the front");
-    diag_hint(parse->diag, "rows of a loom: k for p and p for k in every second one");
 }
 
 struct parse parse_read(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
@@ -339,8 +334,7 @@ struct stmt *parse_statements(struct parse *parse)
 
     if (!parse->text)
         return NULL;
-    if (!parse->facts.rounds)
-        warn_of_loom(parse);
+    warn_of_loom(parse);
     parse->scanner = &scanner;
     scanner_parse(&scanner);
     append_chart(parse);

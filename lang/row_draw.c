@@ -24,6 +24,12 @@ static int column_of(const struct row_place *row, int x)
     return row->side == SIDE_RS ? row->width - 1 - x : x;
 }
 
+/* Whether each stitch worked shows its other face. */
+static bool is_turned(const struct row_place *row)
+{
+    return row->side != SIDE_RS && !row->front;
+}
+
 /* ---- seed ---- */
 
 /* Whether the stitches below n of a row take turns, so that seed goes on from them. */
@@ -44,7 +50,7 @@ static void draw_seed(stitch_id *cell, int x, int n, const struct row_place *row
 {
     int column = column_of(row, x), step = row->side == SIDE_RS ? -1 : 1;
     bool turns = takes_turns(cell, column, step, n, row);
-    stitch_id first = row->side == SIDE_RS ? STITCH_K : STITCH_P;
+    stitch_id first = is_turned(row) ? STITCH_P : STITCH_K;
 
     if (turns)
         first = cell[column - row->width] == STITCH_K ? STITCH_P : STITCH_K;
@@ -80,7 +86,7 @@ static stitch_id shown(stitch_id stitch, const stitch_id *cell, const struct row
     case STITCH_REVERSE:
         return STITCH_P;
     default:
-        return row->side == SIDE_RS ? stitch : row->ws[stitch];
+        return is_turned(row) ? row->ws[stitch] : stitch;
     }
 }
 
@@ -89,7 +95,7 @@ static void draw_plain(stitch_id *cell, const stitch_id *worked, const struct ro
     for (int x = 0; row->side == SIDE_RS && x < row->width; x++)
         cell[x] = worked[row->width - 1 - x];
     for (int x = 0; row->side != SIDE_RS && x < row->width; x++)
-        cell[x] = row->ws[worked[x]];
+        cell[x] = row->front ? worked[x] : row->ws[worked[x]];
 }
 
 bool row_draw(stitch_id *cell, const stitch_id *worked, struct row_place row)

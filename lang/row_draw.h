@@ -10,6 +10,7 @@ struct row_place {
     int              width;
     enum side        side;
     bool             round, first;      /* first: nothing is below */
+    bool             front;             /* of a loom: from the right side, though it runs the other way */
     const stitch_id *ws;                /* of each stitch its other face */
 };
 

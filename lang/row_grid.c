@@ -126,7 +126,7 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             } else if (i == 0 && row_draw_asks_below(worked, width)) {
                 good = nothing_below(list, text);
             } else if (good) {
-                text->drawn[side] = row_draw(to, worked, (struct row_place){width, side, list->round, i == 0, ws}) ? i + 1 : 0;
+                text->drawn[side] = row_draw(to, worked, (struct row_place){width, side, list->round, i == 0, list->front && !text->on_ws, ws}) ? i + 1 : 0;
             }
         }
         before = text;

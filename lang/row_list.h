@@ -52,7 +52,8 @@ struct row_list {
     bool loose;                     /* what came last had no number, or was a repeat */
     enum side start; /* the side of the first row worked; open until known */
     struct told_rows told;
-    enum side row_1; /* the side of row 1 by what the page says of its rows */
+    enum side row_1; /* the side of row 1 by what the page says of its rows, */
+    bool front;                     /* and that they are a loom's: all are worked from the front */
     struct part *part;              /* those before the one above */
     bool describes;                 /* each part is a pattern of its own, not worked yet, */
     bool to_choose;                 /* of which none was chosen */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lang/limits.h"
+#include "lang/page_facts.h"
 #include "lang/row_list.h"
 
 struct row_list *rows_new(struct arena *arena, struct diag *diag)
@@ -16,9 +17,10 @@ struct row_list *rows_new(struct arena *arena, struct diag *diag)
     return list;
 }
 
-void rows_side(struct row_list *list, enum side side)
+void rows_of_page(struct row_list *list, const struct page_facts *facts)
 {
-    list->row_1 = side;
+    list->row_1 = facts->first;
+    list->front = facts->pegs;
 }
 
 bool rows_any(const struct row_list *list)

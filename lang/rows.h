@@ -70,6 +70,7 @@ struct fit {
     long long multiple, plus, least;
 };
 
+struct page_facts;
 struct row_list;
 
 /* Where a width comes from, for messages. */
@@ -77,8 +78,9 @@ enum width_from { WIDTH_CAST_ON, WIDTH_MULTIPLE, WIDTH_ASKED, WIDTH_ROWS };
 
 struct row_list *rows_new(struct arena *, struct diag *);
 
-/* Row 1 is worked on a side where no row is marked otherwise. */
-void rows_side(struct row_list *, enum side);
+/* What a page says of all its rows: row 1 is worked on a side where no row is marked otherwise; on a loom, all
+ * from the front. */
+void rows_of_page(struct row_list *, const struct page_facts *);
 bool rows_any(const struct row_list *);
 
 /* Adds a text at a row number. */
