@@ -220,7 +220,7 @@ bool prose_stitches_follow(const char *text)
 bool prose_is_bare_row(const char *text, bool plain)
 {
     const unsigned work = WORDS_END | WORDS_EVERY | WORDS_AGAIN | WORDS_STITCH | WORDS_TIMES | WORDS_OFTEN;
-    static const char *const other[] = {"to", "across", "around", "from", "the", "last", "more", "and"};
+    static const char *const other[] = {"to", "across", "around", "from", "the", "last", "more", "and", "place", "slip", "marker", "pm", "sm"};
     size_t at = strspn(text, "*([ \t");
     bool counted = false, closed = false;
 

@@ -83,6 +83,12 @@ int scanner_token(struct scanner *scanner, int kind)
     return kind;
 }
 
+/* Whether behind such a statement rows have names. */
+static bool names_rows(int statement)
+{
+    return statement == TOKEN_ROW || statement == TOKEN_ALL || statement == TOKEN_SETUP || statement == TOKEN_MOTIF || statement == TOKEN_SWATCH;
+}
+
 void scanner_begin(struct scanner *scanner, int statement)
 {
     scanner->statement = statement;
@@ -90,7 +96,7 @@ void scanner_begin(struct scanner *scanner, int statement)
     scanner->counted = false;
     scanner->stops = false;
     scanner->begun = true;
-    scanner->bare = statement == TOKEN_CAST_ON;
+    scanner->bare = statement == TOKEN_CAST_ON ? 1 : names_rows(statement) ? 0 : scanner->bare;
     scanner->section = false;
 }
 
