@@ -292,7 +292,7 @@ static void format_text(struct format *f, int indent)
     struct span span = token(f)->span;
 
     do {
-        f->row += is_knitters(token(f)->kind);
+        f->row += is_knitters(token(f)->kind) || token(f)->kind == TOKEN_GO_ON;    /* in the tree, too */
         skip_row(f);
     } while (is_joined(token(f)));
     span.end = token(f)[-1].span.end;

@@ -88,7 +88,7 @@ void rows_tell(struct row_list *list, struct span span, struct told told)
     if (list->ngiven < list->npending)
         return;
     rows_work(list);
-    if (told.n)
+    if (told.n && told.n <= list->norder)
         list->told = (struct told_rows){list->order + list->norder - told.n, told.n, 0};
     else if (told.first >= list->first_label && told.last <= list->last_label)
         list->told = (struct told_rows){list->label + told.first, told.last - told.first + 1, 0};
