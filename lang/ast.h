@@ -153,8 +153,8 @@ struct row {
 /* Repeating rows is working them again: n times means n more times. */
 enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGAIN_ROWS, AGAIN_TOTAL_ROWS, AGAIN_LENGTH, AGAIN_PART_LENGTH };
 
-/* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. */
-struct measure { int rows; bool part; };
+/* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. `ending`: the row it ends with. */
+struct measure { int rows; bool part; int ending; };
 
 /* `these 4 rows form the pattern`: the last n; n 0: those with numbers from first to last. */
 struct told { int n, first, last; };
@@ -177,6 +177,7 @@ struct again {
     bool                several;        /* names are mentioned */
     bool                rib;            /* they are to be one */
     int                 ending;         /* "ending with row 2"; 0: not said */
+    int                 stop;           /* the same, said of a length: where its last repeat stops */
     struct expr        *n;
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };

@@ -33,16 +33,39 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
     }
 }
 
-/* Rows up to a length of n: whole repeats, but where the pattern goes on row by row. */
-static long long rows_to_length(const struct again *again, const struct body *body, struct row_texts texts, long long n)
+/* How many rows of the last repeat there are up to the one a length ends with; 0: it is whole. */
+static int last_part(struct body *body, const struct again *again, struct row_texts texts)
 {
+    const struct row_text *last = again->stop ? rows_find(body->rows, again->stop) : NULL;
+
+    int at = last ? again->stop - texts.text[0]->label : 0;     /* rows of one text, `Rows 1 and 2`, are told apart by their place */
+
+    if (last && at >= 0 && at < texts.n && texts.text[at] == last)
+        return (at + 1) % texts.n;
+    for (at = 0; last && at + 1 < texts.n; at++)
+        if (texts.text[at] == last)
+            return at + 1;
+    return 0;
+}
+
+/* Whether rows up to a length that is not known end within a repeat, and something is worked on that side of it. */
+static bool ends_within(const struct stmt *stmt, const struct again *again, struct body *body, struct row_texts texts)
+{
+    return again->kind == AGAIN_PATTERN && stmt->next && (stmt->next->kind == STMT_ROW || stmt->next->kind == STMT_AGAIN) && last_part(body, again, texts);
+}
+
+/* Rows up to a length of n: whole repeats, the last as far as it goes, but where the pattern goes on row by row. */
+static long long rows_to_length(const struct again *again, struct body *body, struct row_texts texts, long long n)
+{
+    int part = last_part(body, again, texts);
+
     if (again->kind == AGAIN_LENGTH)
         n -= rows_count(body->rows);
     else if (again->which != AGAIN_GO_ON && rows_just_worked(body->rows, texts))
         n -= texts.n;
-    if (n <= 0)
-        return 0;
-    return again->which == AGAIN_GO_ON ? n : (n + texts.n - 1) / texts.n * texts.n;
+    if (n <= part)
+        return part;
+    return again->which == AGAIN_GO_ON && !part ? n : (n - part + texts.n - 1) / texts.n * texts.n + part;
 }
 
 /* The pattern whose name is mentioned; false, with a message, where it cannot be told. */
@@ -89,11 +112,12 @@ static void warn_since_when(struct eval *eval, const struct stmt *stmt, const st
 }
 
 /* What is open: how often the rows are worked, and whether those above are the first time. */
-static void warn_open(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body,
+static void warn_open(struct eval *eval, const struct stmt *stmt, const struct again *again, struct body *body,
                       struct row_texts texts, bool once)
 {
     if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
         diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how often these rows are %s", once ? "worked is not said: once"
+                                                             : ends_within(stmt, again, body, texts) ? "repeated is not said: once more as far as they end"
                                                                                                      : "repeated is not said: not once more");
         diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
     }
@@ -104,7 +128,7 @@ static void warn_open(struct eval *eval, const struct stmt *stmt, const struct a
 }
 
 /* What is left to work of n times or n rows in all, where the rows above are among them. */
-static long long left_to_work(const struct again *again, const struct body *body, struct row_texts texts, long long n, bool described)
+static long long left_to_work(const struct again *again, struct body *body, struct row_texts texts, long long n, bool described)
 {
     bool among = rows_just_worked(body->rows, texts);
 
@@ -170,6 +194,8 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + n);
     else if (n)
         rows_again(body->rows, stmt->span, texts, n, 0);
+    if (ends_within(stmt, again, body, texts))
+        rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + last_part(body, again, texts));
     if (!check_ending(eval, stmt, again, body, texts))
         return false;
     return !again->then || body_again(eval, where, stmt, again->then, body);

@@ -362,20 +362,22 @@ size_t heads_length(const char *text, bool inside, bool *stop)
 size_t heads_example(const char *text, size_t *number)
 {
     static const char *const named[] = {"i", "we", "sample", "shown", "example", "mine", "used", "eg", "e", "such", "photo", "model", "pictured", "ex", "say"},
-                             *const multiple[] = {"multiple", "even", "odd", "any", "number"}, *const once[] = {"sts", "st", "stitches"};
-    size_t line = words_line_within(text, WORDS_REACH), at = 0, from = 0, n;
+                             *const multiple[] = {"multiple", "multiples", "even", "odd", "any", "number"}, *const once[] = {"sts", "st", "stitches"},
+                             *const did[] = {"did", "used", "have", "had", "on"};
+    size_t line = words_line_within(text, WORDS_REACH), at = 0, from = 0, word = 0, n;
     bool of = false, said = false;
 
-    /* Behind the multiple, a comma, a dash or a bracket begins what says who has how many. */
+    /* Behind the multiple, a comma, a dash or a bracket begins what says who has how many, or a sentence: `I did 42.` */
     for (*number = 0; at < line && !(said && *number && strchr(").", text[at])); at += n ? n : 1) {
         n = words_length(text + at);
-        of = of || (n && words_find(text + at, multiple, 5) >= 0);
-        from = of && !from && strchr("(,-\xE2", text[at]) ? at : from;
+        of = of || (n && words_find(text + at, multiple, 6) >= 0);
+        from = of && (strncmp(text + at, ". ", 2) == 0 ? !said : !from && strchr("(,-\xE2", text[at])) ? at : from;
         said |= from && n && words_find(text + at, named, sizeof named / sizeof *named) >= 0;
+        word = n ? at : word;
         if (from && !n && isdigit((unsigned char)text[at])) {
-            if (*number)
+            if (*number || (text[from] == '.' && words_find(text + word, did, 5) < 0))
                 return 0;
-            *number = at;
+            *number = words_is(text + word, "plus") ? 0 : at;
             n = strspn(text + at, "0123456789");
         } else if (*number && n && text[from] != '(' && words_find(text + at, once, 3) < 0) {
             return 0;

@@ -210,6 +210,25 @@ bool lengths_follow(const char *text)
     return length_at(text, &millimetres) != NULL;
 }
 
+int lengths_ending(const char *phrase)
+{
+    static const char *const end[] = {"end", "ends", "ending", "finish", "finishing"}, *const of[] = {"with", "on", "after", "a", "the", "pattern", "patt"},
+                             *const other[] = {"or", "of", "and"};
+    const char *at = phrase, *behind;
+
+    while (*at && words_find(at, end, 5) < 0)
+        at += words_length(at) ? words_length(at) : 1;
+    if (!*at || words_find(words_next(at), of, 3) < 0)
+        return 0;
+    for (at = words_next(at); words_find(at, of, sizeof of / sizeof *of) >= 0;)
+        at = words_next(at);
+    if (!words_are_rows(at))
+        return 0;
+    behind = words_next(at);
+    behind = words_skip_blanks(behind + strspn(behind, "0123456789"));
+    return words_find(behind, other, 3) >= 0 ? 0 : words_row(at);
+}
+
 double lengths_wanted(const char *phrase, bool *part)
 {
     static const char *const of_part[] = {"rib", "ribbing", "border", "section", "band", "edging", "hem", "cuff", "welt"};

@@ -219,9 +219,11 @@ bool prose_stitches_follow(const char *text)
 
 bool prose_is_bare_row(const char *text, bool plain)
 {
-    const unsigned work = WORDS_END | WORDS_EVERY | WORDS_AGAIN | WORDS_STITCH | WORDS_TIMES | WORDS_OFTEN;
-    static const char *const other[] = {"to", "across", "around", "from", "the", "last", "more", "and", "place", "slip", "marker", "pm", "sm"};
+    const unsigned work = WORDS_END | WORDS_EVERY | WORDS_AGAIN | WORDS_STITCH | WORDS_TIMES | WORDS_OFTEN | WORDS_NUMBER;
+    static const char *const other[] = {"to", "across", "around", "from", "the", "of", "last", "more", "and", "place", "slip", "marker", "pm", "sm"},
+                             *const whole[] = {"the", "of", "this", "each"};
     size_t at = strspn(text, "*([ \t");
+    bool row = false;
     bool counted = false, closed = false;
 
     if (!words_are(text + at, WORDS_PLAIN))
@@ -229,10 +231,11 @@ bool prose_is_bare_row(const char *text, bool plain)
     for (size_t n; at < WORDS_REACH && text[at] && !strchr("\r\n#", text[at]); at += n) {
         n = words_length(text + at);
         if (words_are(text + at, WORDS_PLAIN))
-            counted |= isdigit((unsigned char)*words_skip_blanks(text + at + n)) != 0;
-        else if (n ? !words_are(text + at, work) && words_find(text + at, other, sizeof other / sizeof *other) < 0 : closed || !strchr(" \t*()[],;.0123456789", text[at]))
+            counted |= words_behind_number(words_skip_blanks(text + at + n)) != NULL;
+        else if (n ? !(row && words_are_rows(text + at)) && !words_are(text + at, work) && words_find(text + at, other, sizeof other / sizeof *other) < 0 : closed || !strchr(" \t*()[],;.0123456789", text[at]))
             return false;
         closed |= text[at] == '.' && !prose_line_ends(text + at);
+        row = n ? words_find(text + at, whole, sizeof whole / sizeof *whole) >= 0 : row && text[at] == ' ';
         n = n ? n : 1;
     }
     return at < WORDS_REACH && (counted || plain);
@@ -488,8 +491,10 @@ static int told_words(const char *text)
 
 bool prose_tells_of_row(const char *text)
 {
+    static const char *const tool[] = {"counter", "counters", "marker", "markers"};
+
     text = words_skip_blanks(text);
-    return told_words(text + strspn(text, "0123456789")) > 2;
+    return words_find(text, tool, sizeof tool / sizeof *tool) >= 0 || told_words(text + strspn(text, "0123456789")) > 2;
 }
 
 bool prose_is_aside(const char *text)
@@ -580,11 +585,12 @@ size_t prose_names_pattern(const char *text)
 
 size_t prose_bracket_length(const char *text)
 {
+    static const char *const open[] = {"if", "note", "see", "this"};
     size_t n = 1;
 
     while (n < WORDS_REACH && text[n] && !strchr(")\r\n", text[n]))
         n++;
-    return text[n] == ')' ? n + 1 : 0;
+    return text[n] == ')' ? n + 1 : words_find(words_skip_blanks(text + 1), open, 4) >= 0 && n < WORDS_REACH ? n : 0;
 }
 
 /* Behind the numbers and the side of a row's head; or NULL. */

@@ -45,7 +45,7 @@ static bool behind_fabric(const char *text, size_t at)
     return end > at && words_find(text + at, fabric, sizeof fabric / sizeof *fabric) >= 0;
 }
 
-/* `(to make 6 boxes)`: what stitches are for; `(9 sts remain)` before those that are left. */
+/* `(to make 6 boxes)`: what stitches are for; `(9 sts remain)` before those that are left, `(32 sts), k8` of those before. */
 static bool is_purpose(const char *text, size_t close)
 {
     static const char *const verb[] = {"make", "form", "create", "get", "keep", "match"}, *const left[] = {"remain", "remaining", "rem", "left"};
@@ -53,7 +53,11 @@ static bool is_purpose(const char *text, size_t close)
 
     if (words_is(text + 1, "to"))
         return words_find(second, verb, sizeof verb / sizeof *verb) >= 0;
-    return sts && words_are_stitches(sts) && words_find(words_next(sts), left, 4) >= 0 && prose_stitches_follow(next);
+    if (!sts || !words_are_stitches(sts))
+        return false;
+    sts = words_next(sts);
+    next = words_skip_blanks(next + (*sts == ')' && *next == ','));
+    return (*sts == ')' || words_find(sts, left, 4) >= 0) && prose_stitches_follow(next) && !strchr("*([", *next);
 }
 
 size_t remarks_length(const char *text, size_t at)

@@ -468,6 +468,16 @@ static bool work_cut(struct diag *diag, const struct row_text *row, long long wi
     return true;
 }
 
+/* `k4, [p4, k4] 5 times (40 sts)`: the count is that of the group before it. */
+static bool counts_group(const struct row_text *row)
+{
+    const struct work *last = row->work;
+
+    while (last && last->next)
+        last = last->next;
+    return last && last->child && last->until == WORK_TIMES && times(last->length, last->n) == row->check;
+}
+
 bool row_work(struct diag *diag, const struct row_text *text, int width, enum width_from from,
               const struct row_text *before, stitch_id *worked)
 {
@@ -494,7 +504,7 @@ bool row_work(struct diag *diag, const struct row_text *text, int width, enum wi
         else
             warn_fills(diag, filling);
     }
-    if (row->check >= 0 && row->check != width) {
+    if (row->check >= 0 && row->check != width && !counts_group(row)) {
         diag_error(diag, CODE_ROW_ASSERT, row->check_span, "%s ends with %d %s, not %lld", misfit_name(diag->arena, row, "this row"),
                    width, names_count(width, "stitch", "stitches"), row->check);
         return false;

@@ -172,8 +172,12 @@ bool scanner_takes_colon(const struct scanner *scanner)
 size_t scanner_cast_on(const struct scanner *scanner, const char *text, size_t length)
 {
     bool first = !scanner->begun || scanner->multiple || words_is(text, "with") || words_is(text, "using");
+    static const char *const maybe[] = {"could", "can", "may", "might", "would"};
     size_t cast_on = prose_begins_cast_on(text);
 
+    /* `You could cast on 15 sts, or 23`, behind the one that is. */
+    if (scanner->begun && words_find(words_next(text), maybe, sizeof maybe / sizeof *maybe) >= 0)
+        return 0;
     return cast_on ? cast_on : first && prose_has_cast_on(SCANNER_TEXT(scanner)) ? length : 0;
 }
 

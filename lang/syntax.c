@@ -220,8 +220,8 @@ struct row syntax_measured(struct row row, struct measure measure)
 struct again syntax_again_until(struct parse *parse, struct span span, struct measure measure)
 {
     if (!measure.rows)
-        return (struct again){.kind = AGAIN_PATTERN, .open = true};
-    return (struct again){.kind = measure.part ? AGAIN_PART_LENGTH : AGAIN_LENGTH, .n = expr_number(parse, span, measure.rows, 0)};
+        return (struct again){.kind = AGAIN_PATTERN, .open = true, .stop = measure.ending};
+    return (struct again){.kind = measure.part ? AGAIN_PART_LENGTH : AGAIN_LENGTH, .n = expr_number(parse, span, measure.rows, 0), .stop = measure.ending};
 }
 
 struct expr *syntax_two_rows(struct parse *parse, struct span span)
@@ -391,7 +391,7 @@ void syntax_first_size(struct parse *parse, struct span sizes)
 
 struct stmt *syntax_goes_on(struct parse *parse, struct span span, struct measure measure)
 {
-    struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure.rows), measure.part});
+    struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure.rows), measure.part, measure.ending});
 
     again.which = AGAIN_GO_ON;
     return stmt_again(parse, span, again);
