@@ -141,6 +141,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token CAST_ON          "'cast on'"
 %token SIZES            "further sizes"
 %token EDGES            "a border"
+%token FEWER            "'less'"
 %token <parity> NUMBER_OF "'an even number of'"
 %token <side> SETUP            "'set-up row'"
 %token <text> PLAIN_ROWS "'knit' or 'purl' so many rows"
@@ -355,6 +356,8 @@ multiple:
                                         { $$ = (struct multiple){$of, $plus, @$}; }
 | MULTIPLE_OF count[of] sts '+' count[plus] sts '+' count[edge] sts
                                         { $$ = (struct multiple){$of, BINARY(OP_ADD, @$, $plus, $edge), @$}; }
+| MULTIPLE_OF count[of] sts FEWER count[less] sts
+                                        { $$ = (struct multiple){$of, BINARY(OP_SUBTRACT, @$, $of, $less), @$}; }
 | MULTIPLE_OF count sts EDGES           { $$ = syntax_parity(parse, @$, 1, 0); (void)$count; }
 | NUMBER_OF                             { $$ = syntax_parity(parse, @$, $1.of, $1.plus); }
 ;

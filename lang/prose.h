@@ -52,7 +52,7 @@ bool prose_times_follow(const char *text);          /* "3 times", "two more" */
 bool prose_says_how_often(const char *text);        /* "work in pattern twice": whole patterns, no length */
 bool prose_comma_is_idle(const char *text);         /* "3 times", "or until .." behind it */
 bool prose_row_is_named(const char *text);          /* "row:" */
-bool prose_tells_how(const char *text);             /* "using the long-tail method", and no number */
+bool prose_tells_how(const char *text);             /* "using the long-tail method", "enough stitches", and no number */
 size_t prose_sizes_length(const char *text, int *n);    /* of "(5, 6)", "[5:6:7]", "(5, 6 sts)"; n: how many */
 bool prose_is_named_row(const char *text);          /* "Eyelet rnd: knit", "Garter ridge row (RS): purl" */
 bool prose_is_meaning(const char *text);            /* "(s) = round(s)", behind an abbreviation */

@@ -66,11 +66,27 @@ static bool stitches_are_meant(const char *text)
     return !*words_next(text);
 }
 
+/* `Cast on enough stitches for your scarf`: how many is not said. */
+static bool tells_no_number(const char *text)
+{
+    static const char *const which[] = {"the", "enough", "sufficient", "your", "as", "however"}, *const count[] = {"multiple", "multiples"};
+    size_t sentence = prose_sentence_length(text);
+
+    if (words_find(text, which, sizeof which / sizeof *which) < 0)
+        return false;
+    for (size_t at = 0; at < sentence; at += words_length(text + at) + (words_length(text + at) == 0))
+        if (words_behind_number(text + at) || text[at] == '{' || words_find(text + at, count, 2) >= 0)
+            return false;
+    return true;
+}
+
 bool prose_tells_how(const char *text)
 {
     static const char *const how[] = {"using", "with", "via", "by"}, *const count[] = {"st", "sts", "stitch", "stitches", "multiple", "multiples", "number", "as", "for"};
     size_t line = words_line_within(text, WORDS_REACH);
 
+    if (tells_no_number(words_skip_blanks(text)))
+        return true;
     if (words_find(words_skip_blanks(text), how, sizeof how / sizeof *how) < 0)
         return false;
     for (size_t at = 0; at < line; at += words_length(text + at) + (words_length(text + at) == 0))

@@ -346,6 +346,8 @@ const struct phrase turns_of_books[] = {
     {":|,|;|- # on|to each|a|every needle|pin|wire", ""},
     {":|,|;|- # on|to each of # needles|pins|wires", ""},
     {"any number of sts|stitches that may|will|can|must be? divided|divide by", "multiple of"},
+    {"=cast =on the|a|any|your? required|desired|needed|wanted|necessary|correct? number of sts|stitches -|–|—|,? that|which|this|it? should|must? is|be? a =multiple =of", ""},
+    {"=cast =on the|a|any|your? required|desired|needed|wanted|necessary|correct? number of sts|stitches -|–|—|,? that|which|this|it? should|must? is|be? =multiple =of", ""},
     {"=cast =on # sts|stitches for each|every pattern|patt|repeat", "multiple of #"},
     {"=cast =on =# =sts|stitches|sts. , # patterns|patts|repeats|reps", ""},
 
