@@ -80,6 +80,8 @@ static bool stand_apart(struct span before, struct span head)
 {
     int breaks = 0;
 
+    /* `k4Row 1:`, without a blank: the letter is the head's own. */
+    before.end += isalpha((unsigned char)before.source->text[before.end]) != 0;
     for (unsigned at = before.end; before.source == head.source && at < head.start; at++) {
         char c = before.source->text[at];
 
