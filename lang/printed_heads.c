@@ -189,7 +189,7 @@ static size_t as_length(const char *text, size_t at, size_t head, char plain[sta
         n += words_length(here + n);
         n += print_blanks(here + n);
     }
-    if (same && print_sentence_ends(here + n) && row_before(text, head) > 0) {
+    if (same && print_sentence_ends(here + n) && !words_is(here + n + strspn(here + n, " \t\r\n"), "as") && row_before(text, head) > 0) {
         while (n > 0 && here[n - 1] == ' ')
             n--;
         snprintf(plain, PRINTED_PLAIN, "as %d", row_before(text, head));

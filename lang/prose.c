@@ -217,7 +217,7 @@ bool scanner_prose(struct scanner *scanner)
     if (scanner->begun && !scanner->closed && asks_for_work(text, prose_length(scanner, text))) {
         diag_error(parse->diag, CODE_STATEMENT, span, "this asks for stitches, but which rows they are cannot be told");
         diag_hint(parse->diag, prose_works_until(text) ? "`Knit every row until ..`, or for the rows above `Work in pattern until ..`"
-                                                       : "a row begins with its name: `Row 1: ...`; so many rows: `Work 6 rows in k2, p2 rib`");
+                                                       : "a row begins with its name: `Row 1: ...`; so many rows: `Work 6 rows in k2, p2 rib`; '#' before a remark");
         return true;
     }
 

@@ -11,6 +11,7 @@
 #include <strings.h>
 
 #include "lang/prose.h"
+#include "lang/prose_line.h"
 #include "lang/remarks.h"
 #include "lang/row_phrases.h"
 #include "lang/words.h"
@@ -161,7 +162,8 @@ static size_t previous_length(const char *text, size_t at, char plain[static SIG
     } else if (!same) {
         return 0;
     }
-    if (!prose_line_ends(text + end))
+    /* `Same`, and on the next line `as row 2`. */
+    if (!prose_line_ends(text + end) || words_is(prose_line_next(text + end), "as"))
         return 0;
     end += text[end] == '.';
     snprintf(plain, SIGNS_PLAIN, "as %d", row - 1);

@@ -108,6 +108,14 @@ static bool is_scanned_figure(const char *word)
     return strchr("lI", *word) && !word[1];
 }
 
+/* `B-K2`, `edge-p1`: what stands before the dash is where; or NULL. */
+static const char *stitches_behind_dash(const char *word)
+{
+    const char *dash = strrchr(word, '-');
+
+    return dash && dash > word && strchr("kKpP", dash[1]) && isdigit((unsigned char)dash[2]) && !dash[2 + strspn(dash + 2, "0123456789")] ? dash + 1 : NULL;
+}
+
 static void unknown(struct eval *eval, const struct module *module, const char *word, unsigned start)
 {
     struct span span = {module->source, start, start + (unsigned)strlen(word)};
@@ -133,6 +141,11 @@ static void unknown(struct eval *eval, const struct module *module, const char *
     if (!told && (is_scanned(word) || is_scanned_figure(word))) {
         diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
         diag_hint(eval->diag, "in a scanned text the letter l may stand for 1: '%.*s1'", is_scanned(word), word);
+        return;
+    }
+    if (!told && stitches_behind_dash(word)) {
+        diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
+        diag_hint(eval->diag, "`%s`, where what stands before it only says where: `(edge) k2`", stitches_behind_dash(word));
         return;
     }
     if (!told && strcasecmp(word, "x") == 0) {
