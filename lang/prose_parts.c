@@ -69,7 +69,7 @@ static bool stitches_are_meant(const char *text)
 /* `Cast on enough stitches for your scarf`: how many is not said. */
 static bool tells_no_number(const char *text)
 {
-    static const char *const which[] = {"the", "enough", "sufficient", "your", "as", "however"}, *const count[] = {"multiple", "multiples"};
+    static const char *const which[] = {"the", "stitches", "enough", "sufficient", "your", "as", "however"}, *const count[] = {"multiple", "multiples"};
     size_t sentence = prose_sentence_length(text);
 
     if (words_find(text, which, sizeof which / sizeof *which) < 0)
