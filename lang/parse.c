@@ -8,6 +8,7 @@
 
 #include "lang/compile.h"
 #include "lang/joined.h"
+#include "lang/lettered.h"
 #include "lang/limits.h"
 #include "lang/marks.h"
 #include "lang/page_chart.h"
@@ -266,7 +267,8 @@ static const char *plain_text(struct parse *parse)
     parse->facts = page_facts_read(text, size);
     if (!page)
         return text;
-    text = named_plain(arena, joined_plain(arena, text, size), size, &parse->named);
+    text = lettered_plain(arena, joined_plain(arena, text, size), size);
+    text = named_plain(arena, text, size, &parse->named);
     return wording_plain(arena, text, size, &parse->facts);
 }
 

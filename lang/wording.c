@@ -159,6 +159,7 @@ struct wording {
     const struct page_facts *facts;
     size_t label, nlabel;       /* the words before the rows of this part, `Rib row 1:`, as they were written; 0: none */
     bool labelled;              /* those of a part have such words */
+    size_t heading;             /* where the line begins that was the last heading, `Middle:`; 0: none, or the first line */
     const char *written;
     size_t blank, behind_blank; /* a part of the text without a sign */
     struct phrases *phrases, *printed;
@@ -305,6 +306,8 @@ static void put_labelled(struct wording *w, size_t rep)
     at += strspn(w->text + at, " ");
     named = at + (words_is(w->text + at, "the") ? strlen("the ") : 0);
     n = heads_rows_named(w->text + named);
+    if (n && !w->labelled && w->heading && strncasecmp(w->text + named, w->written + w->heading, n - 1) == 0 && w->written[w->heading + n - 1] == ':')
+        memset(own_text(w) + at, ' ', named + n - at);
     if (!n || !w->labelled)
         return;
     if (n == w->nlabel && strncasecmp(w->text + named, w->written + w->label, n) == 0)
@@ -455,6 +458,14 @@ static bool begins_word(const struct wording *w, size_t at)
     return at == 0 || !isalnum((unsigned char)w->text[at - 1]);
 }
 
+/* `Middle:`, `Second half:`, and no more on the line. */
+static bool is_heading(const char *line)
+{
+    size_t n = strcspn(line, ":\r\n");
+
+    return n > 0 && isalpha((unsigned char)*line) && line[n] == ':' && prose_line_ends(line + n + 1);
+}
+
 /* What a line begins with, behind its marks: the head of a part of the pattern, a dash of a list. */
 static void put_line(struct wording *w, size_t at, int depth)
 {
@@ -462,6 +473,8 @@ static void put_line(struct wording *w, size_t at, int depth)
 
     if (mark < w->size && !words_ends_line(w->text[mark]))
         put_head(w, mark, depth > 0 || goes_on(w, at));
+    if (is_heading(w->written + mark))
+        w->heading = mark;
     if (mark > at && w->text[mark - 1] == '-' && prose_statement_follows(w->text + mark))
         memset(own_text(w) + at, ' ', mark - at);
 }
