@@ -178,7 +178,7 @@ struct again {
     bool                rib;            /* they are to be one */
     int                 ending;         /* "ending with row 2"; 0: not said */
     int                 stop;           /* the same, said of a length: where its last repeat stops */
-    struct expr        *n;
+    struct expr        *n, *sum;        /* sum: "3 times, 6 rows in all"; NULL: not said */
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };
 

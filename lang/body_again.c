@@ -165,6 +165,28 @@ static bool check_ending(struct eval *eval, const struct stmt *stmt, const struc
     return false;
 }
 
+/* `3 times, 6 rows in all`: the rows above are the first time where it comes out so. */
+static bool read_sum(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body,
+                     struct row_texts texts, long long *n)
+{
+    int above = rows_just_worked(body->rows, texts) ? texts.n : 0;
+    long long rows = *n * texts.n, sum;
+
+    if (!again->sum || again->kind != AGAIN_TIMES || !texts.n)
+        return true;
+    if (!eval_whole(eval, where, again->sum, 0, LIMIT_ROWS, "the number of rows", &sum))
+        return false;
+    if (sum == rows + above || sum == rows + rows_count(body->rows) || (sum == rows && again->more))
+        return true;
+    if (sum == rows) {
+        *n -= 1;
+        return true;
+    }
+    diag_error(eval->diag, CODE_ROW_REPEAT, stmt->span, "these are %lld rows, with those above %lld: not %lld", rows, rows + above, sum);
+    diag_hint(eval->diag, "`.. until piece has %lld rows` counts all of the piece", sum);
+    return false;
+}
+
 bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body)
 {
     struct row_texts texts;
@@ -181,6 +203,8 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         return true;
     }
     if (!find_rows(eval, where, stmt, again, body, &texts) || (again->rib && !check_rib(eval, stmt, body, texts)))
+        return false;
+    if (!read_sum(eval, where, stmt, again, body, texts, &n))
         return false;
     rows_both_sides(body->rows, texts);
     warn_since_when(eval, stmt, again, body, texts, n);

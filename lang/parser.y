@@ -575,6 +575,7 @@ again_once:
 | FOR_PATTERN                           { $$ = (struct again){.kind = AGAIN_PATTERN, .pattern = true}; }
 | again_counted
 | again_counted ENDING_ROW              { $$ = $again_counted; $$.ending = (int)$ENDING_ROW.value; }
+| again_counted IN_FABRIC count ROW_WORD { $$ = $again_counted; $$.sum = $count; }
 | ',' again_counted                     { $$ = $again_counted; }
 | FOR_PATTERN again_counted             { $$ = $again_counted; }
 | FOR_PATTERN ',' again_counted         { $$ = $again_counted; }

@@ -74,7 +74,7 @@ static void no_statement(struct parse *parse, struct span span)
     diag_error(parse->diag, CODE_STATEMENT, span, "no statement begins with '%s'", word);
     if (beginning)
         diag_did_you_mean(parse->diag, beginning);
-    else if (syntax_is_row(text))
+    else if (syntax_is_row(text + (*text == '{')))
         diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`");
     else if (text[behind] == '=' && text[behind + 1] != '=')
         diag_hint(parse->diag, "to give a name to a value: `let %s = ...`", word);
