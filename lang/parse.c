@@ -14,6 +14,7 @@
 #include "lang/page_chart.h"
 #include "lang/prose.h"
 #include "lang/scanner.h"
+#include "lang/starred.h"
 #include "lang/wording.h"
 #include "lang/words.h"
 
@@ -267,7 +268,8 @@ static const char *plain_text(struct parse *parse)
     parse->facts = page_facts_read(text, size);
     if (!page)
         return text;
-    text = lettered_plain(arena, joined_plain(arena, text, size), size);
+    text = starred_plain(arena, joined_plain(arena, text, size), size);
+    text = lettered_plain(arena, text, size);
     text = named_plain(arena, text, size, &parse->named);
     return wording_plain(arena, text, size, &parse->facts);
 }

@@ -25,6 +25,8 @@ static void find_start(struct row_list *list)
         if (text && text->side)
             list->start = (list->norder + i) % 2 == 0 || list->round ? text->side : other_side(text->side);
     }
+    if (!list->start && !list->npending && list->filler && list->filler->all == ALL_WS_ROW && !list->round)
+        list->start = list->norder % 2 ? SIDE_RS : SIDE_WS;     /* `WS: ..` above `RS: ..`: the one is worked first */
     if (!list->start && list->row_1 && !list->round)
         list->start = (list->norder + list->first) % 2 ? list->row_1 : other_side(list->row_1);
     if (list->round && list->start == SIDE_WS) {

@@ -372,7 +372,7 @@ bool scanner_told(KNIT_STYPE *value, const char *sentence)
 
         if (verb && words_find(at, pattern, sizeof pattern / sizeof *pattern) >= 0) {
             value->told = told;
-            return told.n || told.first;
+            return told.n || (told.first && told.first <= told.last);
         }
         if (!rows && words_are_rows(at) && !told.n)
             told.n = tolower((unsigned char)at[words_length(at) - 1]) != 's';
