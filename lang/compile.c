@@ -191,13 +191,13 @@ static bool check_multiple(struct compilation *c, const struct body *body)
 
 enum { ASSUMED_REPEATS = 4, ASSUMED_STITCHES = 20 };
 
-/* Some repeats; the least width the rows fit, or more. */
+/* Some repeats, behind the stitches of the edges: `least` is a width without one. */
 static long long some_repeats(struct diag *diag, struct span span, long long of, long long plus, long long least)
 {
-    long long width = (of < 4 ? ASSUMED_STITCHES / of : ASSUMED_REPEATS) * of + plus;
+    long long some = (of < 4 ? ASSUMED_STITCHES / of : ASSUMED_REPEATS) * of, width = some + plus;
 
-    if (width < least)
-        width += (least - width + of - 1) / of * of;
+    if (width < least + of)
+        width += (least + some - width + of - 1) / of * of;
     diag_warning(diag, CODE_ASSUMED_WIDTH, span,
                  "how many stitches are cast on is not said: %lld, a multiple of %s", width, names_multiple(diag->arena, of, plus));
     diag_hint(diag, "`Cast on %lld sts`, or another multiple", width + of);
@@ -252,7 +252,7 @@ static long long assumed_width(struct compilation *c, const struct body *body)
     if (!fit.multiple)
         return fit.plus;
     width = said_width(body, &fit);
-    return width > 0 && (width - plus) % of == 0 ? width : some_repeats(c->eval.diag, body->multiple.span, of, plus, 0);
+    return width > 0 && (width - plus) % of == 0 ? width : some_repeats(c->eval.diag, body->multiple.span, of, plus, fit.least);
 }
 
 /* What the page draws beside its rows; or NULL. */

@@ -167,6 +167,7 @@ const struct phrase turns_of_pages[] = {
     {"=knit|purl|k|p =# or # =rows|rounds|rnds", ""},
     {"any number of sts|stitches that can be divided|divisible by", "multiple of"},
     {"con - =#|a|an|multiple|multiples|odd|even|any", "con"},
+    {"co - =a|an|multiple|multiples|odd|even|any", "co"},
     {"alternative =row|rows|rnd|rnds|round|rounds", "alternate"},
     {"=row|rows|rnd|rnds|round|rounds =# =&|and row|rnd|round =#", ""},
     {"^ pattern|patt|pat :|= =repeat|rep =row|rows|rnd|rnds|round|rounds", ""},
