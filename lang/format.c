@@ -214,13 +214,21 @@ static void format_verbatim(struct format *f, struct span span, int indent)
     }
 }
 
+/* The statement of the tree whose tokens begin at one and end before a place; NULL: it was read as none. */
+static const struct stmt *statement_of(struct format *f, const struct token *first, unsigned end)
+{
+    while (*f->row && (*f->row)->span.end <= first->span.start)
+        f->row++;
+    return *f->row && (*f->row)->span.start < end ? *f->row++ : NULL;
+}
+
 static void format_row(struct format *f, int indent)
 {
     const struct token *first = token(f);
-    const struct stmt *stmt = *f->row++;
     bool comments = skip_row(f);
     const struct token *last = token(f) - 1;
-    bool verbatim = comments || own_words(first, token(f), stmt);
+    const struct stmt *stmt = statement_of(f, first, last->span.end);
+    bool verbatim = comments || !stmt || own_words(first, token(f), stmt);
     struct span span = {f->source, first->span.start, last->tail.source && verbatim ? last->tail.end : last->span.end};
 
     while (span.start > first->label.end && strchr("*_", f->source->text[span.start - 1]))
@@ -292,7 +300,6 @@ static void format_text(struct format *f, int indent)
     struct span span = token(f)->span;
 
     do {
-        f->row += is_knitters(token(f)->kind) || token(f)->kind == TOKEN_GO_ON;    /* in the tree, too */
         skip_row(f);
     } while (is_joined(token(f)));
     span.end = token(f)[-1].span.end;
@@ -306,9 +313,11 @@ static void format_text(struct format *f, int indent)
 
 static void format_chart(struct format *f, int indent)
 {
-    const struct stmt *stmt = *f->row++;
-    struct chart_lines *lines = chart_lines_new(f->arena, stmt);
+    struct chart_lines *lines;
 
+    while ((*f->row)->kind != STMT_CHART)
+        f->row++;
+    lines = chart_lines_new(f->arena, *f->row++);
     layout_add(f->out, " {", 2);
     f->at++;
     format_trailing(f);
@@ -549,6 +558,7 @@ static struct laid_out lay_out(struct arena *arena, struct diag *diag, const str
     f.row = all.row = arena_array(arena, const struct stmt *, (size_t)all.n + 1);
     all.n = 0;
     collect(file, all.row, &all.n);
+    all.row[all.n] = NULL;
     f.style = (struct row_style){arena, &f.tokens, !has_own_k(file)};
     format_statements(&f, 0);
     all.text = layout_text(f.out, &all.length);

@@ -294,13 +294,13 @@ static size_t each_side_length(const char *text, char plain[static PRINTED_PLAIN
     if (!words_is(text, "plus"))
         return 0;
     n += print_blanks(text + n);
-    number = atoi(text + n);
+    number = words_number(text + n);
     n += strspn(text + n, "0123456789");
     for (n += print_blanks(text + n); number > 0 && words_find(text + n, words, 13) >= (each ? 13 : 0); n += print_blanks(text + n)) {
         each = words_find(text + n, words, 13) >= 11;
         n += words_length(text + n);
     }
-    snprintf(plain, PRINTED_PLAIN, "plus %d", 2 * number);
+    snprintf(plain, PRINTED_PLAIN, "plus %lld", 2LL * number);
     return each && words_find(text + n, side, 3) >= 0 ? n + words_length(text + n) : 0;
 }
 
