@@ -117,7 +117,7 @@ static bool asks_for_work(const char *text, size_t length)
                              *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"}, *const keep[] = {"keep", "keeping", "maintain", "maintaining"},
                              *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
     size_t colon = strcspn(text, ":.\r\n");
-    int first = words_find(text, lead, sizeof lead / sizeof *lead), here = first, stitches = 0;
+    int first = words_find(text, lead, sizeof lead / sizeof *lead), here = first < 0 && words_is(text, "knit") ? 0 : first, stitches = 0;
     bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
     bool heading = length > 0 && text[length - 1] == ':' ? prose_heads_rows(text, text + length) : first > 8 && words_row(prose_line_next(text));
 

@@ -254,8 +254,11 @@ int scanner_repeat(struct scanner *scanner)
         span.start = scanner->at + (unsigned)(behind - text);
         span.end = span.start + (unsigned)(words_name_length(behind) ? words_name_length(behind) : *behind && !strchr("\r\n", *behind));
     }
+    syntax_unknown_word(scanner->parse, span, expected);
+    if (strcmp(expected, "'*'") == 0 && !scanner->star)
+        diag_hint(scanner->parse->diag, "the stars of the row are lost: `*k2, p2; rep from * to last 2 sts, k2`");
     scanner->star = false;
-    return syntax_unknown_word(scanner->parse, span, expected);
+    return TOKEN_KNIT_error;
 }
 
 bool scanner_number_follows(const struct scanner *scanner)

@@ -29,6 +29,7 @@ const struct phrase turns_of_pages[] = {
 
     /* so many stitches */
     {"@ the? next|first|last|following =# =sts|stitches|st|stitch", ""},
+    {"@ the? last =# =,|.|;|(|*", ""},
     {"@ the|that|this? first|last|next|final|remaining st|stitch", "1"},
 
     /* a repeat */
@@ -106,7 +107,8 @@ const struct phrase turns_of_pages[] = {
     {"^ for|on|over|the|following the? next|following? =# =rows|rounds|rnds ,|:", "next"},
     {"< =work|knit|purl|k|p the? next =# =rows|rounds|rnds", ""},
     {"< =knit|purl|k|p the? first|last|final =# =rows|rounds|rnds =.|,|;|and|in", ""},
-    {"^ the? first|last|final =# =rows|rounds|rnds =:|,", "next"},
+    {"^ the? first|last|final =# =rows|rounds|rnds =:|,|-", "next"},
+    {"do|work|knit as in|for =row|rows|round|rounds|rnd|rnds =#", "as"},
     {"^ the? first # rows|rounds|rnds =form|make|set|create|complete|establish", "rows 1 to #"},
     {"> for|on|in the? =# =st|nd|rd|th =row|round|rnd", ""},
     {"^ the? last|final row|round|rnd :", "row:"},
