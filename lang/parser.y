@@ -138,6 +138,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token REPEAT_THEM      "'repeat them'"
 %token WORK_THEM        "'work these rows'"
 %token THEN_ROWS        "'then rows'"
+%token THEN_FIRST       "'then the first'"
 %token CAST_ON          "'cast on'"
 %token SIZES            "further sizes"
 %token EDGES            "a border"
@@ -567,8 +568,10 @@ repeat_statement:
 pattern: %empty | FOR_PATTERN;
 again:
   again_once
-| again_once[once] THEN_ROWS parts again_once[then]
-                                        { $$ = $once; $$.then = syntax_then(parse, @THEN_ROWS, $parts.first, $then); }
+| again[all] THEN_ROWS parts again_once[then]
+                                        { $$ = $all; syntax_then(parse, &$$, @THEN_ROWS, $parts.first, $then); }
+| again[all] THEN_FIRST count[n] ROW_WORD again_once[then]
+                                        { $$ = $all; syntax_then(parse, &$$, @THEN_FIRST, syntax_first_rows(parse, @n, $n), $then); }
 ;
 again_once:
   %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }

@@ -109,6 +109,11 @@ void scanner_blank_line(struct scanner *scanner, const char *line_ends)
         scanner->section = false;
 }
 
+bool scanner_is_behind_times(const struct scanner *scanner)
+{
+    return scanner->previous == TOKEN_TWICE || scanner->previous == TOKEN_TIMES || scanner->previous == TOKEN_MORE;
+}
+
 bool scanner_closes_group(const struct scanner *scanner)
 {
     return scanner->previous == ')' || scanner->previous == ']' || scanner->previous == TOKEN_STAR;

@@ -96,6 +96,7 @@ void scanner_begin(struct scanner *, int statement);
 void scanner_blank_line(struct scanner *, const char *line_ends);
 
 /* Whether what was read last is a group that can be repeated. */
+bool scanner_is_behind_times(const struct scanner *);    /* "once", "3 times" */
 bool scanner_closes_group(const struct scanner *);
 
 /* Whether a line behind the cast-on that comes next is a row without its name, `k2, p2 to end`. */

@@ -353,17 +353,23 @@ struct again syntax_rib(struct again again)
     return again;
 }
 
-/* "then row 1": once, where nothing is said. */
-struct again *syntax_then(struct parse *parse, struct span span, struct row_numbers *numbers, struct again again)
+void syntax_then(struct parse *parse, struct again *all, struct span span, struct row_numbers *numbers, struct again again)
 {
-    struct again *then = arena_new(parse->arena, struct again);
+    struct again *then = arena_new(parse->arena, struct again), **last = &all->then;
 
     *then = syntax_again(numbers, NULL, again);
     if (then->kind == AGAIN_PATTERN && !then->n) {
         then->kind = AGAIN_TIMES;
         then->n = expr_number(parse, span, 1, 0);
     }
-    return then;
+    while (*last)
+        last = &(*last)->then;
+    *last = then;
+}
+
+struct row_numbers *syntax_first_rows(struct parse *parse, struct span span, struct expr *n)
+{
+    return ast_row_numbers(parse, span, expr_number(parse, span, 1, 0), n, ALL_NONE);
 }
 
 /* `Work rows 1-4 three times` right behind them is three times in all. */

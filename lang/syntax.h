@@ -57,6 +57,9 @@ struct again syntax_rib(struct again);
 bool syntax_onwards(const struct parse *, struct span, const struct row_numbers *);    /* `from row 3`, to the last */
 struct row syntax_bare_head(struct parse *, struct span, enum side round);
 struct again syntax_go_on(struct span, struct expr *count);
-struct again *syntax_then(struct parse *, struct span, struct row_numbers *, struct again);
+
+/* Behind what is repeated, `.. then rows 1 and 2`: those once where nothing is said; the first n rows. */
+void syntax_then(struct parse *, struct again *all, struct span, struct row_numbers *, struct again);
+struct row_numbers *syntax_first_rows(struct parse *, struct span, struct expr *n);
 
 #endif

@@ -61,6 +61,7 @@ const struct phrase turns_of_pages[] = {
     {"=work a =row|round|rnd", "1"},
     {"=row|rows|round|rounds|rnd|rnds number|no.|no|nr.|nr|~ =#", ""},
     {"=# above|again", ""},
+    {"=first =# =rows|rounds|rnds of the? pattern|patt|pat", ""},
     {"step =# =:|.|)", ""},
     {"< pattern|patt|pat =row|rows|round|rounds|rnd|rnds =#", ""},
     {"^ row|rows|round|rounds|rnd|rnds # to|- end|finish :|- =repeat|rep|continue|cont", ""},
