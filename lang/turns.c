@@ -48,6 +48,7 @@ const struct phrase turns_of_pages[] = {
     {"=times so that? there|you|we are|have # rows|rounds|rnds in? total|all", "in # rows"},
 
     {"alternately|alternating =to|across|around", ""},
+    {"=rows|rounds|rnds =# =and|& =# alternately|alternating", ""},
     {"and continue =to|across|around", "rep"},
     {"=repeat|rep all =# =rows|rounds|rnds", "the"},
     {"for =# =more? =times|time", ""},
