@@ -213,6 +213,8 @@ static bool check_references(struct eval *eval, struct where where, const struct
         return labels->n > 0;
     diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "%d rows cannot be worked as %d rows", nrows,
                labels->n);
+    if (nrows == 1)
+        diag_hint(eval->diag, "rows worked again are no row of their own: `Repeat rows 1-2 once more`, without a number before it");
     return false;
 }
 

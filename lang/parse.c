@@ -9,6 +9,7 @@
 #include "lang/compile.h"
 #include "lang/joined.h"
 #include "lang/lettered.h"
+#include "lang/listed.h"
 #include "lang/limits.h"
 #include "lang/marks.h"
 #include "lang/page_chart.h"
@@ -269,7 +270,7 @@ static const char *plain_text(struct parse *parse)
     if (!page)
         return text;
     text = starred_plain(arena, joined_plain(arena, text, size), size);
-    text = lettered_plain(arena, text, size);
+    text = listed_plain(arena, lettered_plain(arena, text, size), size);
     text = named_plain(arena, text, size, &parse->named);
     return wording_plain(arena, text, size, &parse->facts);
 }

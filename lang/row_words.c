@@ -8,6 +8,7 @@
 #include <strings.h>
 
 #include "lang/spelling.h"
+#include "lang/words.h"
 
 struct writer {
     struct layout *out;
@@ -40,7 +41,7 @@ static const char *count(const struct writer *w, const struct expr *e)
     if (is_hole(w, e))
         return arena_printf(w->style->arena, "{%s}",
                             spelling_of_span(w->style->arena, w->style->tokens, e->span));
-    if (isdigit((unsigned char)*digits))
+    if (isdigit((unsigned char)*digits) && words_number(digits) == e->number.value)   /* else of a step, of which it is the row */
         return arena_copy(w->style->arena, digits, strspn(digits, "0123456789"));
     return arena_printf(w->style->arena, "%.0f", e->number.value);
 }
