@@ -60,7 +60,7 @@ static size_t bold(const char *text)
 /* Behind a colon or, `dash`, a dash with a blank; NULL: there is none. */
 static const char *skip_mark(const char *text, bool dash)
 {
-    static const char *const dashes[] = {"- ", "\xE2\x80\x93 ", "\xE2\x80\x94 ", "\xE2\x80\x92 ", "\xE2\x80\x95 ", "\xE2\x88\x92 "};
+    static const char *const dashes[] = {"- ", "\xE2\x80\x93 ", "\xE2\x80\x94 ", "\xE2\x80\x92 ", "\xE2\x80\x95 ", "\xE2\x88\x92 ", "\xE2\x80\x94", "\xE2\x80\x95"};
     const char *at = words_skip_blanks(text);
 
     if (*at == ':')
