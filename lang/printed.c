@@ -193,6 +193,21 @@ static size_t in_figures(const char *text, char plain[static PRINTED_PLAIN])
     return length;
 }
 
+/* `of the pattern` within a row's head, `Row 1 of pattern--`. */
+static size_t of_pattern_length(const char *text, size_t at)
+{
+    static const char *const pattern[] = {"pattern", "patt", "pat"};
+    size_t number = at, n = at + 2 + print_blanks(text + at + 2);
+
+    while (number > 0 && strchr(" 0123456789-", text[number - 1]))
+        number--;
+    n += words_is(text + n, "the") ? 3 + print_blanks(text + n + 3) : 0;
+    if (!words_row(text + print_word_before(text, number)) || words_find(text + n, pattern, 3) < 0)
+        return 0;
+    n += words_length(text + n);
+    return print_head_ends(text + n) ? n - at : 0;
+}
+
 size_t printed_length(const char *text, size_t at, char plain[static PRINTED_PLAIN])
 {
     const char *here = text + at;
@@ -217,6 +232,8 @@ size_t printed_length(const char *text, size_t at, char plain[static PRINTED_PLA
     }
     if (!isalnum((unsigned char)*here) || !print_begins_word(text, at))
         return 0;
+    if (words_is(here, "of"))
+        return of_pattern_length(text, at);
     length = print_word_length(text, at, plain);
     return length || isdigit((unsigned char)*here) ? length : in_figures(here, plain);
 }
