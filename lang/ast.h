@@ -177,7 +177,7 @@ struct again {
     bool                several;        /* names are mentioned */
     bool                rib;            /* they are to be one */
     int                 ending;         /* "ending with row 2"; 0: not said */
-    int                 stop;           /* the same, said of a length: where its last repeat stops */
+    int                 stop;           /* the same, said of a length: where its last repeat stops; or on which side (lengths.h) */
     struct expr        *n, *sum;        /* sum: "3 times, 6 rows in all"; NULL: not said */
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * A statement that works rows again in, the rows worked out. */
 #include "lang/eval.h"
+#include "lang/lengths.h"
 #include "lang/limits.h"
 #include "lang/row_labels.h"
 #include "lang/rows.h"
@@ -36,7 +37,7 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
 /* How many rows of the last repeat there are up to the one a length ends with; 0: it is whole. */
 static int last_part(struct body *body, const struct again *again, struct row_texts texts)
 {
-    const struct row_text *last = again->stop ? rows_find(body->rows, again->stop) : NULL;
+    const struct row_text *last = again->stop > 0 ? rows_find(body->rows, again->stop) : NULL;
 
     int at = last ? again->stop - texts.text[0]->label : 0;     /* rows of one text, `Rows 1 and 2`, are told apart by their place */
 
@@ -48,10 +49,28 @@ static int last_part(struct body *body, const struct again *again, struct row_te
     return 0;
 }
 
+static bool work_follows(const struct stmt *stmt)
+{
+    return stmt->next && (stmt->next->kind == STMT_ROW || stmt->next->kind == STMT_AGAIN);
+}
+
 /* Whether rows up to a length that is not known end within a repeat, and something is worked on that side of it. */
 static bool ends_within(const struct stmt *stmt, const struct again *again, struct body *body, struct row_texts texts)
 {
-    return again->kind == AGAIN_PATTERN && stmt->next && (stmt->next->kind == STMT_ROW || stmt->next->kind == STMT_AGAIN) && last_part(body, again, texts);
+    return again->kind == AGAIN_PATTERN && work_follows(stmt) && last_part(body, again, texts);
+}
+
+/* `until it measures 8 in, ending with a RS row`: one row more, where the last one is of the other side and more is worked behind it. */
+static void end_on_side(const struct stmt *stmt, const struct again *again, struct body *body, struct row_texts texts, long long n)
+{
+    enum side side = again->stop == ENDING_RS ? SIDE_RS : SIDE_WS, last = rows_last_side(body->rows);
+    struct row_texts next = texts;
+
+    if (again->stop >= 0 || !texts.n || !last || last == side || !work_follows(stmt))
+        return;
+    next.text = texts.text + (again->kind == AGAIN_PATTERN ? 0 : n % texts.n);
+    next.n = 1;
+    rows_again(body->rows, stmt->span, next, 1, 0);
 }
 
 /* Rows up to a length of n: whole repeats, the last as far as it goes, but where the pattern goes on row by row. */
@@ -118,6 +137,7 @@ static void warn_open(struct eval *eval, const struct stmt *stmt, const struct a
     if (again->kind == AGAIN_PATTERN && !again->pattern && body->top) {
         diag_warning(eval->diag, CODE_REPEAT_NO_COUNT, stmt->span, "how often these rows are %s", once ? "worked is not said: once"
                                                              : ends_within(stmt, again, body, texts) ? "repeated is not said: once more as far as they end"
+                                                             : again->stop < 0 && work_follows(stmt) ? "repeated is not said: not once more but to end on that side"
                                                                                                      : "repeated is not said: not once more");
         diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
     }
@@ -220,6 +240,7 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         rows_again(body->rows, stmt->span, texts, n, 0);
     if (ends_within(stmt, again, body, texts))
         rows_again(body->rows, stmt->span, texts, 0, rows_count(body->rows) + last_part(body, again, texts));
+    end_on_side(stmt, again, body, texts, n);
     if (!check_ending(eval, stmt, again, body, texts))
         return false;
     return !again->then || body_again(eval, where, stmt, again->then, body);

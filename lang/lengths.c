@@ -210,6 +210,17 @@ bool lengths_follow(const char *text)
     return length_at(text, &millimetres) != NULL;
 }
 
+/* `RS row`, `wrong side row`; 0: neither. */
+static int row_of_side(const char *text)
+{
+    bool right = words_is(text, "rs") || words_is(text, "right"), wrong = words_is(text, "ws") || words_is(text, "wrong");
+
+    text = words_next(text);
+    text += strspn(text, "-");
+    text = words_is(text, "side") ? words_next(text) : text;
+    return !words_are_rows(text) ? 0 : right ? ENDING_RS : wrong ? ENDING_WS : 0;
+}
+
 int lengths_ending(const char *phrase)
 {
     static const char *const end[] = {"end", "ends", "ending", "finish", "finishing"}, *const of[] = {"with", "on", "after", "a", "the", "pattern", "patt"},
@@ -222,9 +233,9 @@ int lengths_ending(const char *phrase)
         return 0;
     for (at = words_next(at); words_find(at, of, sizeof of / sizeof *of) >= 0;)
         at = words_next(at);
-    if (!words_are_rows(at))
-        return 0;
-    behind = words_next(at);
+    if (row_of_side(at))
+        return row_of_side(at);
+    behind = words_next(words_skip_blanks(at + words_ordinal_length(at)));
     behind = words_skip_blanks(behind + strspn(behind, "0123456789"));
     return words_find(behind, other, 3) >= 0 ? 0 : words_row(at);
 }

@@ -15,7 +15,8 @@ bool lengths_follow(const char *text);
 /* The length that rows are worked to or, `part`, for, in millimetres; 0: none is said. `phrase` ends with its text. */
 double lengths_wanted(const char *phrase, bool *part);
 
-/* The row it ends with, "until piece measures 8 in, ending with row 2"; 0: none is said, or a choice of them. */
+/* The row it ends with, "until piece measures 8 in, ending with row 2", or its side; 0: none is said, or a choice of them. */
+enum { ENDING_RS = -1, ENDING_WS = -2 };
 int lengths_ending(const char *phrase);
 
 #endif

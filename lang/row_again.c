@@ -231,6 +231,11 @@ bool rows_passed(const struct row_list *list, struct row_texts texts)
     return true;
 }
 
+enum side rows_last_side(const struct row_list *list)
+{
+    return list->norder && !list->round ? row_list_side(list, list->norder - 1) : SIDE_OPEN;
+}
+
 bool rows_just_worked(const struct row_list *list, struct row_texts texts)
 {
     int first = list->norder - texts.n;

@@ -167,6 +167,9 @@ bool rows_good(const struct row_list *);
 bool rows_round(const struct row_list *);
 int rows_count(const struct row_list *);
 
+/* The side the last row was worked on; SIDE_OPEN: there is none, or it is a round. */
+enum side rows_last_side(const struct row_list *);
+
 /* The place in the order of work, from 0, of the row with a number; where it is beyond the rows as they are numbered,
  * of the one that it repeats. -1: there is none. */
 int rows_place(const struct row_list *, long number);

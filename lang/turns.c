@@ -212,6 +212,7 @@ const struct phrase turns_of_pages[] = {
     {"=more|once|twice|thrice|times -|=|, # rows|rounds|rnds rib|ribbing|patt|pattern|garter|moss|seed? st|stitch? in total|all", " in # rows"},
     {"=rows|rnds|rounds : =# =more|times", ""},
     {"=# : =# =more =times", ""},
+    {"=in|ins|inches|cm|cms|long|length|size|needed|required . end|ending|finish with|on|after =row|round|rnd =#", ", end with"},
     {"^ end|ending|finish with|on|after a rs|ws|right|wrong -? side? row|rnd|round =.?", ""},
 
     {"=knit|k =# =rows in? garter|g st|stitch?", ""},
