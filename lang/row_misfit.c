@@ -2,10 +2,15 @@
  * A row that does not come out on a width in, sentences with its arithmetic out. */
 #include "lang/row_misfit.h"
 
+#include <string.h>
+
 #include "lang/names.h"
 #include "lang/row_fit.h"
 
-enum { TERMS = 12 };    /* of a sum are shown */
+enum {
+    TERMS = 12,     /* of a sum are shown */
+    WRITTEN = 60    /* bytes of a row that a hint writes out */
+};
 
 static const char *stitches(struct arena *arena, long long n)
 {
@@ -76,6 +81,20 @@ static void hint_nearest(struct diag *diag, const char *what, const struct fit *
         diag_hint(diag, "%sthe nearest width that fits is %lld", what, above);
 }
 
+/* The line to write for `Row 1: k1, p1` where it is worked to the end. */
+static void hint_repeated(struct diag *diag, const struct row_text *row)
+{
+    const char *text = row->span.source->text + row->span.start;
+    int n = (int)(row->span.end - row->span.start);
+    const char *noun = row->round ? "Rnd" : "Row", *next = row->round ? "Next rnd: " : "Next row: ";
+    const char *head = row->label ? arena_printf(diag->arena, "%s %d: ", noun, row->label) : next;
+
+    if (n > WRITTEN || memchr(text, '\n', (size_t)n) || memchr(text, '*', (size_t)n) || memchr(text, ':', (size_t)n))
+        diag_hint(diag, "to fill the row, repeat it: `*..; rep from * to end`");
+    else
+        diag_hint(diag, "to fill the row, repeat it: `%s*%.*s; rep from * to end`", head, n, text);
+}
+
 /* The row is worked once: its sum, and what it would take. */
 static void misfit_once(struct diag *diag, const struct row_text *row, long long makes, long long width, const char *left)
 {
@@ -87,7 +106,7 @@ static void misfit_once(struct diag *diag, const struct row_text *row, long long
         diag_note(diag, (struct span){0}, "%s = %lld, %lld %s than %lld", sum, makes, makes > width ? makes - width : width - makes,
                   makes > width ? "more" : "less", width);
     if (makes > 0 && width > makes && width % makes == 0)
-        diag_hint(diag, "to fill the row, repeat it: `*..; rep from * to end`");
+        hint_repeated(diag, row);
     else if (makes > 1 && width / 2 >= makes)
         hint_nearest(diag, arena_printf(diag->arena, "repeated to the end it fits a multiple of %lld: ", makes),
                      &(struct fit){makes, 0, makes}, width);

@@ -138,6 +138,16 @@ static bool put_plain(char *text, const struct found *found, const char *plain)
     return true;
 }
 
+/* The same, or that a sentence ends before. */
+static bool begins_sentence(const char *text, size_t at)
+{
+    size_t end = at;
+
+    while (end > 0 && strchr(" \t", text[end - 1]))
+        end--;
+    return begins_line(text, at) || (end < at && end > 0 && text[end - 1] == '.');
+}
+
 /* How long the brackets of "(K2. P2) ribbing" are, which goes without them; or 0. */
 static size_t rib_length(const char *text)
 {
@@ -181,7 +191,7 @@ static void put_phrase(struct wording *w, struct phrases *phrases, const struct 
     for (int i = 0; (i = phrases_find(phrases, w->text, at, i, &found)) >= 0; i++) {
         char mark = *table[i].words;
 
-        if ((mark == '@' && !behind_stitch(w->text, at)) || (strchr("^>", mark) && !begins_line(w->text, at)) ||
+        if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)) || (mark == '>' && !begins_sentence(w->text, at)) ||
             (breaks(w->text, &found) && (strchr("<>", mark) || w->text[found.end[found.n - 1]] == ':')) || (mark == '>' && !work_follows(w->text + found.end[found.n - 1])))
             continue;
         if (changes(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
