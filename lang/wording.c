@@ -489,6 +489,21 @@ static void put_line(struct wording *w, size_t at, int depth)
         memset(own_text(w) + at, ' ', mark - at);
 }
 
+/* How long `(k3)` behind `knit 3` is, which says it again; or 0. */
+static size_t said_again_length(const char *text, size_t at)
+{
+    size_t n = words_stitch_length(text + at + 1), digits = at, word;
+
+    while (digits > 0 && strchr(" 0123456789", text[digits - 1]))
+        digits--;
+    for (word = digits; word > 0 && isalpha((unsigned char)text[word - 1]);)
+        word--;
+    digits += strspn(text + digits, " ");
+    if (!n || text[at + 1 + n] != ')' || !one_of("knit|purl", text + word) || tolower((unsigned char)text[word]) != tolower((unsigned char)text[at + 1]))
+        return 0;
+    return words_number(text + digits) == words_number(text + at + 2) ? n + 2 : 0;
+}
+
 /* Brackets that only group: of further sizes, of a rib, braces of a measure or of stitches. */
 static void put_brackets(struct wording *w, size_t at)
 {
@@ -496,7 +511,9 @@ static void put_brackets(struct wording *w, size_t at)
 
     if ((c == '(' || c == '[') && other_sizes_length(w, at))
         memset(own_text(w) + at, ' ', other_sizes_length(w, at));
-    if (c == '(' && rib_length(w->text + at))
+    if (c == '(' && said_again_length(w->text, at))
+        put_blanks(w, at, said_again_length(w->text, at), "");
+    if (w->text[at] == '(' && rib_length(w->text + at))
         put_rib(w, at, rib_length(w->text + at));
     if (c == '{' && braces_length(w->text + at)) {
         own_text(w)[at + braces_length(w->text + at) - 1] = ')';
