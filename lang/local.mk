@@ -10,7 +10,7 @@ liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/code
     lang/marks.h lang/marks.c lang/joined.h lang/joined.c lang/heads.h lang/heads.c \
     lang/typos.h lang/typos.c \
     lang/eval.h lang/eval.c lang/module.c lang/stitches.c lang/motif.c lang/builtin.c lang/body.c lang/body_again.c lang/row_labels.h lang/row_labels.c lang/lower.h lang/lower.c \
-    lang/refused.h lang/refused.c lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/page_chart.h lang/page_chart.c lang/page_key.h lang/page_key.c lang/page_fabric.c lang/lettered.h lang/lettered.c lang/listed.h lang/listed.c lang/starred.h lang/starred.c lang/page_facts.h lang/page_facts.c lang/page_sides.h lang/page_sides.c lang/rows.h lang/rows.c lang/row_list.h lang/row_order.c lang/row_again.c lang/row_grid.c \
+    lang/refused.h lang/refused.c lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/page_chart.h lang/page_chart.c lang/page_key.h lang/page_key.c lang/page_fabric.c lang/lettered.h lang/lettered.c lang/listed.h lang/listed.c lang/starred.h lang/starred.c lang/run_on.h lang/run_on.c lang/page_facts.h lang/page_facts.c lang/page_sides.h lang/page_sides.c lang/rows.h lang/rows.c lang/row_list.h lang/row_order.c lang/row_again.c lang/row_grid.c \
     lang/row_fit.h lang/row_fit.c lang/row_misfit.h lang/row_misfit.c lang/row_draw.h lang/row_draw.c lang/keys.h lang/keys.c lang/settings.h lang/settings.c lang/outputs.h lang/outputs.c lang/own_words.h lang/own_words.c \
     lang/chart_lines.h lang/chart_lines.c lang/format.h lang/format.c lang/layout.h lang/layout.c \
     lang/row_words.h lang/row_words.c lang/spelling.h lang/spelling.c lang/tokens.h lang/tokens.c \

@@ -14,6 +14,7 @@
 #include "lang/marks.h"
 #include "lang/page_chart.h"
 #include "lang/prose.h"
+#include "lang/run_on.h"
 #include "lang/scanner.h"
 #include "lang/starred.h"
 #include "lang/wording.h"
@@ -269,7 +270,8 @@ static const char *plain_text(struct parse *parse)
     parse->facts = page_facts_read(text, size);
     if (!page)
         return text;
-    text = starred_plain(arena, joined_plain(arena, text, size), size);
+    text = run_on_plain(arena, joined_plain(arena, text, size), size);
+    text = starred_plain(arena, text, size);
     text = listed_plain(arena, lettered_plain(arena, text, size), size);
     text = named_plain(arena, text, size, &parse->named);
     return wording_plain(arena, text, size, &parse->facts);

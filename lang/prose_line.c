@@ -111,13 +111,13 @@ static bool is_labelled(const char *text)
     return *text == ':';
 }
 
-/* `swatch: ..`, `swatch we are going to knit` */
+/* `swatch: ..`, `Swatch, no, dishcloth`, `swatch we are going to knit` */
 static bool no_fabric(const char *text)
 {
     const char *behind = text + words_length(text);
 
     /* Two words that follow each other are no value. */
-    return is_labelled(text) || (behind > text && *behind == ' ' && words_length(words_skip_blanks(behind)) > 0 && !words_is(text, "each"));
+    return is_labelled(text) || *text == ',' || (behind > text && *behind == ' ' && words_length(words_skip_blanks(behind)) > 0 && !words_is(text, "each"));
 }
 
 bool prose_is_keyword(const char *text)

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Rows that follow each other on one line. */
+#ifndef WEFT_RUN_ON_H
+#define WEFT_RUN_ON_H
+
+#include <stddef.h>
+
+#include "lang/arena.h"
+
+/* The text with a line end for the blank before each of them, `1.row: k4  2.row: p4`, in as many bytes. */
+const char *run_on_plain(struct arena *, const char *text, size_t size);
+
+#endif
