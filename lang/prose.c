@@ -136,6 +136,8 @@ static bool asks_for_work(const char *text, size_t length)
             continue;
         asks |= words_find(text + i, keep, 4) >= 0 && words_number(behind);
         stitches += words_are(text + i, WORDS_PLAIN) && isdigit((unsigned char)*behind) && !isalpha((unsigned char)behind[strspn(behind, "0123456789")]);
+        while (words_is(behind, "the") || words_is(behind, "last") || words_is(behind, "final"))    /* `Knit the last 4 rows` */
+            behind = words_next(behind);
         asks |= (words_are(text + i, WORDS_PLAIN | WORDS_WORK) || words_is(text + i, "rib")) && prose_rows_follow(behind);
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }

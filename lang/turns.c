@@ -56,6 +56,7 @@ const struct phrase turns_of_pages[] = {
     {"and continue =to|across|around", "rep"},
     {"=repeat|rep all =# =rows|rounds|rnds", "the"},
     {"for =# =more? =times|time", ""},
+    {"=row|rows|rounds|rnds =# =to|-|through|and|& =# - =# =more? =times|time", ""},
     {"=st|st.|stitch|sts|rib|ribbing|garter|stockinette|welt ,? =for =# =rows|rounds|rnds in? total|altogether|all", ""},
 
     /* whole rows */
