@@ -10,6 +10,7 @@
 #include "lang/limits.h"
 #include "lang/refused.h"
 #include "lang/scanner.h"
+#include "lang/prose.h"
 #include "lang/typos.h"
 #include "lang/words.h"
 
@@ -74,6 +75,8 @@ static void no_statement(struct parse *parse, struct span span)
     diag_error(parse->diag, CODE_STATEMENT, span, "no statement begins with '%s'", word);
     if (beginning)
         diag_did_you_mean(parse->diag, beginning);
+    else if (strchr("([{*", *text) && prose_row_count(text))
+        diag_hint(parse->diag, "so many rows of the same stitches: `Next %d rows: ...`", words_number(text + prose_row_count(text)));
     else if (syntax_is_row(text + (*text == '{')))
         diag_hint(parse->diag, "a row begins with its name: `Row 1: ...`");
     else if (text[behind] == '=' && text[behind + 1] != '=')

@@ -504,11 +504,57 @@ static size_t said_again_length(const char *text, size_t at)
     return words_number(text + digits) == words_number(text + at + 2) ? n + 2 : 0;
 }
 
+/* Where the bracket is closed, on its line; or 0. */
+static size_t close_of(const char *text)
+{
+    int open = 0;
+
+    for (size_t at = 0; text[at] && !words_ends_line(text[at]); at++) {
+        open += strchr("([{", text[at]) ? 1 : strchr(")]}", text[at]) ? -1 : 0;
+        if (open == 0)
+            return at;
+    }
+    return 0;
+}
+
+/* Whether what stands in a bracket fills a row by itself: `{(k1, p1) to last st, k1}`. */
+static bool fills_row(const char *text, size_t close)
+{
+    size_t inner = 1 + strspn(text + 1, " "), behind = text[inner] == '(' ? inner + close_of(text + inner) + 1 : close;
+
+    if (behind >= close || !words_stitch_length(text + inner + 1))
+        return false;
+    behind += strspn(text + behind, " ");
+    return one_of("to last|to end", text + behind) > 0 && strcspn(text + behind, "([{") > close - behind;
+}
+
+/* Takes the bracket around a whole row, `Row 1: {(k1, p1) to last st, k1} across`, and what is said of it. */
+static void put_whole_row(struct wording *w, size_t at)
+{
+    size_t close = close_of(w->text + at), end = at + close + 1, before = at;
+
+    while (before > 0 && strchr(" \t", w->text[before - 1]))
+        before--;
+    if (!close || (before > 0 && !strchr(":\r\n", w->text[before - 1])) || !fills_row(w->text + at, close))
+        return;
+    end += strspn(w->text + end, " ");
+    end += one_of("across|to end|to the end", w->text + end);
+    if (!prose_line_ends(w->text + end + (w->text[end] == '.'))) {
+        own_text(w)[at] = '[';      /* `.. across for 5 rows`: refused as such */
+        own_text(w)[at + close] = ']';
+        return;
+    }
+    own_text(w)[at] = ' ';
+    memset(own_text(w) + at + close, ' ', end - at - close);
+}
+
 /* Brackets that only group: of further sizes, of a rib, braces of a measure or of stitches. */
 static void put_brackets(struct wording *w, size_t at)
 {
     char c = w->text[at];
 
+    if (c && strchr("([{", c))
+        put_whole_row(w, at);
     if ((c == '(' || c == '[') && other_sizes_length(w, at))
         memset(own_text(w) + at, ' ', other_sizes_length(w, at));
     if (c == '(' && said_again_length(w->text, at))
