@@ -75,14 +75,23 @@ const struct row_text *row_list_numbered(const struct row_list *list, int label)
     return label > 0 && label < list->label_room ? list->label[label] : NULL;
 }
 
+/* Where what is not a row's own begins behind it: `(edge st)` is, and of `k4Row 2:` the letter that is glued to it. */
+static unsigned behind_row(struct span row)
+{
+    const char *text = row.source->text;
+    unsigned at = row.end + (unsigned)strspn(text + row.end, " \t"), close = at + (unsigned)strcspn(text + at, ")\r\n");
+
+    if (text[at] == '(' && text[close] == ')')
+        return close + 1;
+    return row.end + (isalpha((unsigned char)text[row.end]) != 0);
+}
+
 /* Whether an empty line or other text lies between two places. */
 static bool stand_apart(struct span before, struct span head)
 {
     int breaks = 0;
 
-    /* `k4Row 1:`, without a blank: the letter is the head's own. */
-    before.end += isalpha((unsigned char)before.source->text[before.end]) != 0;
-    for (unsigned at = before.end; before.source == head.source && at < head.start; at++) {
+    for (unsigned at = behind_row(before); before.source == head.source && at < head.start; at++) {
         char c = before.source->text[at];
 
         if (isalnum((unsigned char)c))
