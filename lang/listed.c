@@ -96,8 +96,10 @@ static bool put_named(char *text, size_t word, const struct list *list)
         if (number < 1 || number > list->n || !list->step[number - 1].row)
             return false;
         put_number(text, at, end, list->step[number - 1].row);
-        end = (size_t)(words_skip_blanks(text + end) - text);
-        end += words_is(text + end, "and") || words_is(text + end, "to") ? words_length(text + end) : strspn(text + end, ",-&");
+        at = (size_t)(words_skip_blanks(text + end) - text);
+        end = at + (words_is(text + at, "and") || words_is(text + at, "to") ? words_length(text + at) : strspn(text + at, ",-&"));
+        if (end == at)
+            break;      /* `repeat row 2 3 times` */
     }
     if (words_is(text + word, "steps"))
         memcpy(text + word, " rows", 5);

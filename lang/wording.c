@@ -493,6 +493,7 @@ static void put_line(struct wording *w, size_t at, int depth)
 static size_t said_again_length(const char *text, size_t at)
 {
     size_t n = words_stitch_length(text + at + 1), digits = at, word;
+    const char *behind;
 
     while (digits > 0 && strchr(" 0123456789", text[digits - 1]))
         digits--;
@@ -500,6 +501,10 @@ static size_t said_again_length(const char *text, size_t at)
         word--;
     digits += strspn(text + digits, " ");
     if (!n || text[at + 1 + n] != ')' || !one_of("knit|purl", text + word) || tolower((unsigned char)text[word]) != tolower((unsigned char)text[at + 1]))
+        return 0;
+    /* `knit 1 (k1) 3 times`: a group of its own. */
+    behind = words_skip_blanks(text + at + n + 2);
+    if ((*behind && strchr("{*", *behind)) || is_number(behind) || one_of("twice|thrice|once|x|rep|repeat|to|until", behind))
         return 0;
     return words_number(text + digits) == words_number(text + at + 2) ? n + 2 : 0;
 }
