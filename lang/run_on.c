@@ -89,8 +89,12 @@ static bool begins(const char *line, size_t at, const struct head *head)
 /* `K Repeat these 10 rows`, `k4 Repeat rows 1-4`: another sentence behind the rows. */
 static bool repeats(const char *line, size_t at)
 {
-    size_t length;
+    size_t length, before = at;
 
+    while (before > 0 && strchr(" \t", line[before - 1]))
+        before--;
+    if (before > 0 && line[before - 1] == ':')      /* `Rows 3 to 6: Repeat rows 1 and 2 twice` */
+        return false;
     return line[at] == 'R' && words_are(line + at, WORDS_AGAIN) && row_ends(line, at) && repeats_kind(line + at, &length) != 0;
 }
 
