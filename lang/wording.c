@@ -500,7 +500,7 @@ static size_t said_again_length(const char *text, size_t at)
     for (word = digits; word > 0 && isalpha((unsigned char)text[word - 1]);)
         word--;
     digits += strspn(text + digits, " ");
-    if (!n || text[at + 1 + n] != ')' || is_number(words_skip_blanks(text + at + n + 2)) || strchr("{xX", *words_skip_blanks(text + at + n + 2)) || !one_of("knit|purl", text + word) || tolower((unsigned char)text[word]) != tolower((unsigned char)text[at + 1]))
+    if (!n || text[at + 1 + n] != ')' || is_number(words_skip_blanks(text + at + n + 2)) || one_of("{|x", words_skip_blanks(text + at + n + 2)) || !one_of("knit|purl", text + word) || tolower((unsigned char)text[word]) != tolower((unsigned char)text[at + 1]))
         return 0;
     /* `knit 1 (k1) 3 times`: a group of its own. */
     behind = words_skip_blanks(text + at + n + 2);
