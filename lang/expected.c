@@ -98,6 +98,8 @@ const char *expected_form(int statement)
         {TOKEN_FOR, "`for i in 1..4 { .. }`"},
         {TOKEN_CHART, "`chart (x = P, o = K) { .. }`"},
         {TOKEN_CAST_ON, "`Cast on 22 sts`"},
+        {TOKEN_REPEAT_ROWS, "which rows, and how often: `Repeat rows 1-4 5 times`"},
+        {TOKEN_WORK, "`Work 6 rows in garter st`; several fabrics side by side are rows of their own: `Row 1: k1, p1, knit to last 2 sts, p1, k1`"},
     };
 
     for (size_t i = 0; i < sizeof forms / sizeof *forms; i++)

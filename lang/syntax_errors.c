@@ -156,6 +156,19 @@ static bool star_is_missing(struct parse *parse, struct span span)
     return true;
 }
 
+/* `k2, p2* to end`: a star that stands alone behind what is repeated. */
+static bool star_closes_nothing(struct parse *parse, struct span span)
+{
+    const char *text = span.source->text;
+    unsigned at = span.start;
+
+    while (at > 0 && strchr(" \t", text[at - 1]))
+        at--;
+    if (at < 2 || text[at - 1] != '*' || !isalnum((unsigned char)text[at - 2]))
+        return false;
+    return star_is_missing(parse, (struct span){span.source, at - 1, at});
+}
+
 /* `in rib`, without its numbers. */
 static bool names_rib(struct span span)
 {
@@ -193,12 +206,13 @@ static bool bracket_is_alone(struct parse *parse, struct span span, bool at_end,
 static void hint_form(struct parse *parse, struct span span, const char *list)
 {
     const char *meant = syntax_meant(parse, span), *form = expected_form(parse->scanner->statement);
+    bool again = parse->scanner->statement == TOKEN_REPEAT_ROWS, knits = again || parse->scanner->statement == TOKEN_WORK;
 
     if (names_rib(span))
         diag_hint(parse->diag, "which rib this is: `Work 4 rows in k2, p2 rib`");
-    else if (meant && (!form || (list && strstr(list, meant))))
+    else if (meant && (!form || knits || (list && strstr(list, meant))))
         diag_did_you_mean(parse->diag, meant);
-    else if (form && list && !strstr(list, "a value"))
+    else if (form && (list ? !strstr(list, "a value") : again))
         diag_hint(parse->diag, "%s", form);
 }
 
@@ -223,7 +237,7 @@ void syntax_error(struct parse *parse, struct span span, const char *found, cons
     }
     if (bracket_is_alone(parse, span, at_end, expected, n))
         return;
-    if (found && strcmp(found, "'rep from *'") == 0 && star_is_missing(parse, span))
+    if (found && strcmp(found, "'rep from *'") == 0 ? star_is_missing(parse, span) : star_closes_nothing(parse, span))
         return;
     if (list)
         diag_error(parse->diag, CODE_SYNTAX, span, "expected %s, found %s", list, found_text(parse, span, found));
