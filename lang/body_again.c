@@ -139,7 +139,8 @@ static void warn_open(struct eval *eval, const struct stmt *stmt, const struct a
                                                              : ends_within(stmt, again, body, texts) ? "repeated is not said: once more as far as they end"
                                                              : again->stop < 0 && work_follows(stmt) ? "repeated is not said: not once more but to end on that side"
                                                                                                      : "repeated is not said: not once more");
-        diag_hint(eval->diag, "`repeat rows 1-4 5 times` works them five times more");
+        diag_hint(eval->diag, again->open ? "`until piece has 60 rows`; or a line with a gauge, `Gauge: 28 rows = 10 cm`, says how many rows a length is"
+                                          : "`repeat rows 1-4 5 times` works them five times more");
     }
     if (again->assumed && rows_just_worked(body->rows, texts)) {
         diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows above are the first time is not said: they are");

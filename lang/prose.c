@@ -139,10 +139,24 @@ static bool asks_for_work(const char *text, size_t length)
         while (words_is(behind, "the") || words_is(behind, "last") || words_is(behind, "final"))    /* `Knit the last 4 rows` */
             behind = words_next(behind);
         asks |= (words_are(text + i, WORDS_PLAIN | WORDS_WORK) || words_is(text + i, "rib")) && prose_rows_follow(behind);
+        asks |= first >= 3 && !heading && words_is(text + i, "in") && (words_is(behind, "rib") || words_is(behind, "ribbing"));
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
     asks |= first > 8 && words_line_has(text, "work");
     return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
+}
+
+/* `Keep three stitches on either side in garter stitch`. */
+static bool keeps_edges(const char *text)
+{
+    static const char *const side[] = {"side", "sides", "end", "ends", "edge", "edges"};
+
+    if (!words_is(text, "keep") && !words_is(text, "keeping"))
+        return false;
+    for (int i = 0; i < 6; i++)
+        if (words_line_has(text, side[i]))
+            return true;
+    return false;
 }
 
 /* How many lines from here on read as prose, the first as far as it goes; `end` is behind the last. */
@@ -218,7 +232,8 @@ bool scanner_prose(struct scanner *scanner)
 
     if (scanner->begun && !scanner->closed && asks_for_work(text, prose_length(scanner, text))) {
         diag_error(parse->diag, CODE_STATEMENT, span, "this asks for stitches, but which rows they are cannot be told");
-        diag_hint(parse->diag, prose_works_until(text) ? "`Knit every row until ..`, or for the rows above `Work in pattern until ..`"
+        diag_hint(parse->diag, keeps_edges(text) ? "write these stitches in each row, at both ends: `K3, .. to last 3 sts, k3`"
+                               : prose_works_until(text) ? "`Knit every row until ..`, or for the rows above `Work in pattern until ..`"
                                                        : "a row begins with its name: `Row 1: ...`; so many rows: `Work 6 rows in k2, p2 rib`; '#' before a remark");
         return true;
     }

@@ -15,7 +15,10 @@ int scanner_bad_unit(struct scanner *scanner, struct span span, const char *text
 
     span.start += (unsigned)digits;
     diag_error(scanner->parse->diag, CODE_NUMBER, span, "'%s' is no unit", text + digits);
-    diag_hint(scanner->parse->diag, "units are %%, mm, cm, m and in; a product is written with '*'");
+    if (words_ordinal_length(text))
+        diag_hint(scanner->parse->diag, "a row begins its line: `%s row: k2, p2`; rows are repeated by `Repeat rows 1-2 3 times`", text);
+    else
+        diag_hint(scanner->parse->diag, "units are %%, mm, cm, m and in; a product is written with '*'");
     return TOKEN_KNIT_error;
 }
 
