@@ -221,6 +221,8 @@ size_t remarks_bar(const char *text, size_t at)
     if (text[end] && !strchr("\r\n", text[end]))
         return 0;
     line = words_line_start(text, at);
+    if (at > 1 && text[at - 1] == ' ' && strchr(".!?", text[at - 2]))
+        return end - at;
     return remarks_in_row(text, at) || prose_statement_follows(text + line + strspn(text + line, " \t|")) ? end - at : 0;
 }
 

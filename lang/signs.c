@@ -311,7 +311,13 @@ static bool row_begins(const char *text, size_t at)
     return has_row_before(text, line, before) && words_find(text + before, leads, sizeof leads / sizeof *leads) < 0;
 }
 
-/* The dash of `k5 - border`, with its remark up to a mark; of `purl - reverse stockinette`, up to the line's end. */
+/* Whether the line's beginning is `Knit 15 rows of garter stitch`. */
+static bool counts_rows(const char *line, size_t length)
+{
+    return length > 0 && words_are(line, WORDS_PLAIN | WORDS_WORK) && prose_rows_follow(words_next(line));
+}
+
+/* The dash of `k5 - border`, `Knit 8 rows - top border`, with its remark up to a mark; of `purl - reverse stockinette`, up to the line's end. */
 static size_t dash_remark_length(const char *text, size_t at)
 {
     static const char *const dashes[] = {"- ", "-- ", "\xE2\x80\x93 ", "\xE2\x80\x94 "};
@@ -327,6 +333,8 @@ static size_t dash_remark_length(const char *text, size_t at)
     if (before > 0 && isdigit((unsigned char)text[before - 1]))
         return remarks_are(text + at + dash + 1, length - dash - 1) ? length : 0;
     line = words_line_start(text, at);
+    if (counts_rows(text + line, before - line) && remarks_are(text + at + dash + 1, length - dash - 1))
+        return length;
     return memchr(text + line, ':', before - line) && remarks_on_fabric(text + at + dash) ? words_line_length(text + at) : 0;
 }
 

@@ -161,6 +161,7 @@ const struct phrase turns_of_pages[] = {
     {"another =# =rows|rounds|rnds =of|in =garter|g|seed|moss|stockinette|stocking|rev|reverse|k", ""},
 
     /* other spellings */
+    {"=cast =on ( or co ) =#", ""},
     {"c / o =#", "co"},
     {"b / o", "bo"},
     {"^ b . o .?", "bo"},
