@@ -280,37 +280,6 @@ static size_t count_length(const char *text)
     return text[behind] && !strchr("\r\n", text[behind]) ? 0 : 2 + digits;
 }
 
-/* Whether a row with its number and colon stands in a part of a line. */
-static bool has_row_before(const char *text, size_t line, size_t end)
-{
-    for (size_t n; line < end; line += n ? n : 1) {
-        n = words_length(text + line);
-        if (n && words_row(text + line))
-            return memchr(text + line, ':', end - line) != NULL;
-    }
-    return false;
-}
-
-/* Whether `Row 2:` follows another row on its line without a mark between: `Row 1: knit Row 2: purl`. */
-static bool row_begins(const char *text, size_t at)
-{
-    static const char *const leads[] = {"repeat", "rep", "as", "and", "work", "to", "from", "of", "in", "on", "by", "through",
-                                               "the", "last", "like", "then", "next", "rs", "ws", "with", "until", "pattern", "all", "every", "each"};
-    size_t word = at + 1 + words_length(text + at + 1), number = word + (text[word] == ' '), end = number, line, before, last = at;
-
-    if (!words_are_rows(text + at + 1) || number == word)
-        return false;
-    end += strspn(text + end, "0123456789");
-    line = words_line_start(text, at);
-    while (last > line && text[last - 1] == ' ')
-        last--;
-    for (before = last; before > line && isalpha((unsigned char)text[before - 1]);)
-        before--;
-    if (end == number || last == line || !(text[end] == ':' || strncmp(text + end, " (RS):", 6) == 0 || strncmp(text + end, " (WS):", 6) == 0) || !(isalnum((unsigned char)text[last - 1]) || text[last - 1] == ')'))
-        return false;
-    return has_row_before(text, line, before) && words_find(text + before, leads, sizeof leads / sizeof *leads) < 0;
-}
-
 /* Whether the line's beginning is `Knit 15 rows of garter stitch`. */
 static bool counts_rows(const char *line, size_t length)
 {
@@ -625,7 +594,6 @@ static const struct sign {
     {"0123456789", true, .says = ordinals_length},
     {"|", false, .is = is_table_bar, 1, ""},
     {"|", false, .skips = remarks_bar},
-    {" ", false, .is = row_begins, 1, ";"},
     {"iI", true, .skips = instead_length},
     {"tfsenTFSEN", true, .says = spelled_length},
 };
