@@ -75,26 +75,15 @@ const struct row_text *row_list_numbered(const struct row_list *list, int label)
     return label > 0 && label < list->label_room ? list->label[label] : NULL;
 }
 
-/* Where what is not a row's own begins behind it: `(edge st)` is, and of `k4Row 2:` the letter that is glued to it. */
-static unsigned behind_row(struct span row)
-{
-    const char *text = row.source->text;
-    unsigned at = row.end + (unsigned)strspn(text + row.end, " \t"), close = at + (unsigned)strcspn(text + at, ")\r\n");
-
-    if (text[at] == '(' && text[close] == ')')
-        return close + 1;
-    return row.end + (isalpha((unsigned char)text[row.end]) != 0);
-}
-
-/* Whether an empty line or other text lies between two places. */
+/* Whether an empty line, or one of other text, lies between two places; what is behind the first on its line is its own. */
 static bool stand_apart(struct span before, struct span head)
 {
     int breaks = 0;
 
-    for (unsigned at = behind_row(before); before.source == head.source && at < head.start; at++) {
+    for (unsigned at = before.end; before.source == head.source && at < head.start; at++) {
         char c = before.source->text[at];
 
-        if (isalnum((unsigned char)c))
+        if (breaks && isalnum((unsigned char)c))
             return true;
         breaks += c == '\n' || (c == '\r' && before.source->text[at + 1] != '\n');
     }
