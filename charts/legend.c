@@ -8,7 +8,7 @@
 
 #include "charts/lines.h"
 #include "charts/raster.h"
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 enum { SIGNS = 16 };
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "cli/command.h"
-#include "lang/format.h"
+#include "lang/format/format.h"
 #include "output/file.h"
 
 /* To the file it came from; what came from standard input goes to standard output. */

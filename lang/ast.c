@@ -9,7 +9,7 @@
 #include "lang/limits.h"
 #include "lang/parse.h"
 #include "lang/scanner.h"
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 #define BLANKS " \t\f\v"
 #define DIGITS "0123456789"

@@ -8,8 +8,8 @@
 #include "lang/eval.h"
 #include "lang/limits.h"
 #include "lang/lower.h"
-#include "lang/row_fit.h"
-#include "lang/row_labels.h"
+#include "lang/rows/row_fit.h"
+#include "lang/rows/row_labels.h"
 
 /* ---- rows ---- */
 

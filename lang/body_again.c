@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * A statement that works rows again in, the rows worked out. */
 #include "lang/eval.h"
-#include "lang/lengths.h"
+#include "lang/page/lengths.h"
 #include "lang/limits.h"
-#include "lang/row_labels.h"
-#include "lang/rows.h"
+#include "lang/rows/row_labels.h"
+#include "lang/rows/rows.h"
 
 static bool find_rows(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body,
                       struct row_texts *texts)

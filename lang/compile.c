@@ -9,7 +9,7 @@
 #include "lang/eval.h"
 #include "lang/limits.h"
 #include "lang/outputs.h"
-#include "lang/page_chart.h"
+#include "lang/page/page_chart.h"
 #include "lang/params.h"
 #include "lang/settings.h"
 

@@ -8,7 +8,7 @@
 #include "lang/compile.h"
 #include "lang/names.h"
 #include "lang/parse.h"
-#include "lang/rows.h"
+#include "lang/rows/rows.h"
 
 /* ---- values ---- */
 

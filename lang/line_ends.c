@@ -5,10 +5,10 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "lang/page_chart.h"
-#include "lang/prose.h"
+#include "lang/page/page_chart.h"
+#include "lang/page/prose.h"
 #include "lang/syntax.h"
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 /* Whether a statement begins here: one of its words and behind it what may follow one. */
 static bool statement_follows(const struct scanner *scanner, const char *text)

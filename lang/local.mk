@@ -1,21 +1,33 @@
 # The language: .knit text -> scene.
 noinst_LIBRARIES += liblang.a
-liblang_a_SOURCES = lang/grid.h lang/scene.h lang/arena.h lang/arena.c lang/codes.h lang/compile.h \
-    lang/diag.h lang/diag.c lang/diag_print.c lang/grid.c lang/limits.h lang/source.c \
-    lang/names.h lang/names.c lang/ast.h lang/ast.c lang/parse.h lang/parse.c \
-    lang/scanner.h lang/scanner.c lang/token_values.h lang/token_values.c lang/unreadable.c lang/brackets.c lang/line_ends.c \
-    lang/syntax.h lang/syntax.c lang/syntax_errors.c lang/expected.h lang/expected.c lang/words.h lang/words.c lang/lengths.h lang/lengths.c lang/headings.h lang/headings.c lang/named.h lang/named.c lang/ribs.h lang/ribs.c lang/repeats.h lang/repeats.c lang/prose.h lang/prose.c lang/prose_line.h lang/prose_line.c lang/prose_parts.c lang/wording.h lang/wording.c \
-    lang/phrases.h lang/phrases.c \
-    lang/signs.h lang/signs.c lang/remarks.h lang/row_phrases.h lang/remarks.c lang/row_phrases.c lang/printed.h lang/printed_parts.h lang/printed.c lang/printed_heads.c lang/printed_words.c lang/turns.h lang/turns.c \
-    lang/marks.h lang/marks.c lang/joined.h lang/joined.c lang/heads.h lang/heads.c \
-    lang/typos.h lang/typos.c \
-    lang/eval.h lang/eval.c lang/module.c lang/stitches.c lang/motif.c lang/builtin.c lang/body.c lang/body_again.c lang/row_labels.h lang/row_labels.c lang/lower.h lang/lower.c \
-    lang/refused.h lang/refused.c lang/vocabulary.h lang/vocabulary.c lang/chart.h lang/chart.c lang/page_chart.h lang/page_chart.c lang/page_key.h lang/page_key.c lang/page_fabric.c lang/lettered.h lang/lettered.c lang/listed.h lang/listed.c lang/starred.h lang/starred.c lang/run_on.h lang/run_on.c lang/page_facts.h lang/page_facts.c lang/page_sides.h lang/page_sides.c lang/rows.h lang/rows.c lang/row_list.h lang/row_order.c lang/row_again.c lang/row_grid.c \
-    lang/row_fit.h lang/row_fit.c lang/row_misfit.h lang/row_misfit.c lang/row_draw.h lang/row_draw.c lang/keys.h lang/keys.c lang/settings.h lang/settings.c lang/outputs.h lang/outputs.c lang/own_words.h lang/own_words.c \
-    lang/chart_lines.h lang/chart_lines.c lang/format.h lang/format.c lang/layout.h lang/layout.c \
-    lang/row_words.h lang/row_words.c lang/spelling.h lang/spelling.c lang/tokens.h lang/tokens.c \
-    lang/params.h lang/params.c lang/compile.c lang/library.h lang/library.c \
-    lang/parser.c lang/parser.h lang/lexer.c
+liblang_a_SOURCES = lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c lang/body_again.c lang/brackets.c lang/builtin.c \
+    lang/chart.h lang/chart.c lang/codes.h lang/compile.h lang/compile.c lang/diag.h lang/diag.c lang/diag_print.c \
+    lang/eval.h lang/eval.c lang/expected.h lang/expected.c lang/grid.h lang/grid.c lang/keys.h lang/keys.c \
+    lang/lexer.c lang/library.h lang/library.c lang/limits.h lang/line_ends.c lang/lower.h lang/lower.c \
+    lang/module.c lang/motif.c lang/names.h lang/names.c lang/outputs.h lang/outputs.c lang/params.h lang/params.c \
+    lang/parse.h lang/parse.c lang/parser.h lang/parser.c lang/refused.h lang/refused.c lang/scanner.h \
+    lang/scanner.c lang/scene.h lang/settings.h lang/settings.c lang/source.c lang/stitches.c lang/syntax.h \
+    lang/syntax.c lang/syntax_errors.c lang/token_values.h lang/token_values.c lang/typos.h lang/typos.c \
+    lang/unreadable.c lang/vocabulary.h lang/vocabulary.c \
+    lang/rows/row_again.c lang/rows/row_draw.h lang/rows/row_draw.c lang/rows/row_fit.h lang/rows/row_fit.c \
+    lang/rows/row_grid.c lang/rows/row_labels.h lang/rows/row_labels.c lang/rows/row_list.h lang/rows/row_misfit.h \
+    lang/rows/row_misfit.c lang/rows/row_order.c lang/rows/rows.h lang/rows/rows.c \
+    lang/page/groups.h lang/page/groups.c lang/page/headings.h lang/page/headings.c lang/page/heads.h lang/page/heads.c lang/page/joined.h \
+    lang/page/joined.c lang/page/lengths.h lang/page/lengths.c lang/page/lettered.h lang/page/lettered.c \
+    lang/page/listed.h lang/page/listed.c lang/page/marks.h lang/page/marks.c lang/page/named.h lang/page/named.c \
+    lang/page/page_chart.h lang/page/page_chart.c lang/rows/page_fabric.c lang/page/page_facts.h \
+    lang/page/page_facts.c lang/page/page_key.h lang/page/page_key.c lang/page/page_sides.h lang/page/page_sides.c \
+    lang/page/phrases.h lang/page/phrases.c lang/page/printed.h lang/page/printed.c lang/page/printed_heads.c \
+    lang/page/printed_parts.h lang/page/printed_words.c lang/page/prose.h lang/page/prose.c lang/page/prose_line.h \
+    lang/page/prose_line.c lang/page/prose_parts.c lang/page/remarks.h lang/page/remarks.c lang/page/repeats.h \
+    lang/page/repeats.c lang/page/ribs.h lang/page/ribs.c lang/page/row_phrases.h lang/page/row_phrases.c \
+    lang/page/run_on.h lang/page/run_on.c lang/page/signs.h lang/page/signs.c lang/page/starred.h \
+    lang/page/starred.c lang/page/turns.h lang/page/turns.c lang/page/wording.h lang/page/wording.c \
+    lang/page/words.h lang/page/words.c \
+    lang/format/chart_lines.h lang/format/chart_lines.c lang/format/format.h lang/format/format.c \
+    lang/format/layout.h lang/format/layout.c lang/format/own_words.h lang/format/own_words.c \
+    lang/format/row_words.h lang/format/row_words.c lang/format/spelling.h lang/format/spelling.c \
+    lang/format/tokens.h lang/format/tokens.c
 EXTRA_DIST += lang/parser.y lang/lexer.l
 MAINTAINERCLEANFILES += lang/parser.c lang/parser.h lang/lexer.c
 
@@ -29,5 +41,5 @@ lang/lexer.c: lang/lexer.l
 	    if grep -q yy_state_buf $@; then echo "lang/lexer.l: trailing context of any length" >&2; rm -f $@; exit 1; fi
 lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/token_values.$(OBJEXT) \
     lang/unreadable.$(OBJEXT) lang/brackets.$(OBJEXT) lang/line_ends.$(OBJEXT) lang/syntax.$(OBJEXT) lang/syntax_errors.$(OBJEXT) lang/expected.$(OBJEXT) lang/parse.$(OBJEXT) \
-    lang/ast.$(OBJEXT) lang/prose.$(OBJEXT) lang/prose_parts.$(OBJEXT) lang/repeats.$(OBJEXT) lang/format.$(OBJEXT) lang/row_words.$(OBJEXT) lang/spelling.$(OBJEXT) \
-    lang/tokens.$(OBJEXT): lang/parser.h
+    lang/ast.$(OBJEXT) lang/page/prose.$(OBJEXT) lang/page/prose_parts.$(OBJEXT) lang/page/repeats.$(OBJEXT) lang/format/format.$(OBJEXT) lang/format/row_words.$(OBJEXT) lang/format/spelling.$(OBJEXT) \
+    lang/format/tokens.$(OBJEXT): lang/parser.h

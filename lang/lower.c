@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "lang/limits.h"
-#include "lang/row_fit.h"
+#include "lang/rows/row_fit.h"
 #include "lang/vocabulary.h"
 
 /* Worked once, of so many runs of stitches. */

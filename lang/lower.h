@@ -4,7 +4,7 @@
 #define WEFT_LOWER_H
 
 #include "lang/eval.h"
-#include "lang/rows.h"
+#include "lang/rows/rows.h"
 
 /* Sets *first to the list of work, NULL for nothing at all: `k0`. False after an error. */
 bool lower_items(struct eval *, struct where, const struct item *, struct work **first);

@@ -7,18 +7,18 @@
 #include <strings.h>
 
 #include "lang/compile.h"
-#include "lang/joined.h"
-#include "lang/lettered.h"
-#include "lang/listed.h"
+#include "lang/page/joined.h"
+#include "lang/page/lettered.h"
+#include "lang/page/listed.h"
 #include "lang/limits.h"
-#include "lang/marks.h"
-#include "lang/page_chart.h"
-#include "lang/prose.h"
-#include "lang/run_on.h"
+#include "lang/page/marks.h"
+#include "lang/page/page_chart.h"
+#include "lang/page/prose.h"
+#include "lang/page/run_on.h"
 #include "lang/scanner.h"
-#include "lang/starred.h"
-#include "lang/wording.h"
-#include "lang/words.h"
+#include "lang/page/starred.h"
+#include "lang/page/wording.h"
+#include "lang/page/words.h"
 
 /* The first bytes of files that are something else, and what they are. */
 static const struct format {

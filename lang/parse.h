@@ -5,11 +5,11 @@
 #define WEFT_PARSE_H
 
 #include "lang/ast.h"
-#include "lang/named.h"
+#include "lang/page/named.h"
 #include "lang/names.h"
-#include "lang/page_facts.h"
-#include "lang/ribs.h"
-#include "lang/words.h"
+#include "lang/page/page_facts.h"
+#include "lang/page/ribs.h"
+#include "lang/page/words.h"
 
 struct parse {
     struct arena        *arena;

@@ -6,7 +6,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE, RIBS, MACHINE };
 enum { WORDS = 64, LONGEST = 100 };

@@ -5,12 +5,12 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "lang/page_chart.h"
-#include "lang/page_sides.h"
-#include "lang/prose.h"
+#include "lang/page/page_chart.h"
+#include "lang/page/page_sides.h"
+#include "lang/page/prose.h"
 #include "lang/syntax.h"
 #include "lang/token_values.h"
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 void scanner_advance(struct scanner *scanner, struct span *span, size_t length)
 {

@@ -7,7 +7,7 @@
 #include "lang/limits.h"
 #include "lang/parse.h"
 #include "lang/parser.h"
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 enum bracket {
     BRACKET_ROUND,

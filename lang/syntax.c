@@ -6,7 +6,7 @@
 #include <strings.h>
 
 #include "lang/scanner.h"
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 /* A row's number as it is written; 0: it is not, or too large for one. */
 static int row_number(const struct expr *number)

@@ -10,9 +10,9 @@
 #include "lang/limits.h"
 #include "lang/refused.h"
 #include "lang/scanner.h"
-#include "lang/prose.h"
+#include "lang/page/prose.h"
 #include "lang/typos.h"
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 enum { LIMIT_REFUSED = 1000 };      /* bytes of a row that are looked at for it */
 

@@ -9,8 +9,8 @@
 #include <string.h>
 #include <strings.h>
 
-#include "lang/lengths.h"
-#include "lang/words.h"
+#include "lang/page/lengths.h"
+#include "lang/page/words.h"
 
 int scanner_text(struct scanner *scanner, KNIT_STYPE *value, int kind, struct span span, const char *text,
                  size_t length)

@@ -5,9 +5,9 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "lang/prose.h"
+#include "lang/page/prose.h"
 #include "lang/syntax.h"
-#include "lang/words.h"
+#include "lang/page/words.h"
 
 int scanner_bad_unit(struct scanner *scanner, struct span span, const char *text)
 {

@@ -3,7 +3,7 @@
 #include "lang/vocabulary.h"
 
 #include "lang/refused.h"
-#include "lang/rows.h"
+#include "lang/rows/rows.h"
 #include "lang/typos.h"
 
 #include <ctype.h>

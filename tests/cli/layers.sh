@@ -19,6 +19,8 @@ only() {
 }
 
 only lang '(lang/.*|parser\.h)'
+only lang/page 'lang/(page/.*|(arena|ast|diag|grid|limits|parse|refused|scanner|settings|syntax|typos)\.h)'
+only lang/rows 'lang/(rows/.*|page/page_(chart|facts)\.h|(ast|eval|grid|limits|names)\.h)'
 only drawing 'drawing/.*'
 only charts '(lang|charts|drawing)/.*'
 only solver '(solver/.*|lang/(scene|grid)\.h)'

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "lang/compile.h"
-#include "lang/format.h"
+#include "lang/format/format.h"
 #include "lang/grid.h"
 #include "tests/format/program.h"
 

@@ -11,7 +11,7 @@
 #include "charts/kp.h"
 #include "charts/picture.h"
 #include "lang/compile.h"
-#include "lang/format.h"
+#include "lang/format/format.h"
 
 enum { WORK = 200 * 1000 };     /* steps and stitches, so that an input takes milliseconds */
 

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A bracket of a text in; how long it is, where it only groups or says again, out. */
+#include "lang/page/groups.h"
+
+#include <ctype.h>
+#include <string.h>
+#include <strings.h>
+
+#include "lang/page/page_facts.h"
+#include "lang/page/phrases.h"
+#include "lang/page/prose.h"
+#include "lang/page/words.h"
+
+size_t groups_rib(const char *text)
+{
+    size_t at = 1;
+
+    if (tolower((unsigned char)text[1]) != 'k')
+        return 0;
+    while (at <= 12 && text[at] && (isalnum((unsigned char)text[at]) || strchr(" .,;", text[at])))
+        at++;
+    return text[at] == ')' && strncasecmp(text + phrases_skip(text, at + 1), "rib", 3) == 0 ? at + 1 : 0;
+}
+
+/* How long `{8mm}`, `{ 5 in }` is; or 0. */
+static size_t measure_length(const char *text)
+{
+    size_t at = 1 + strspn(text + 1, " "), digits = strspn(text + at, "0123456789.,"), unit;
+
+    at += digits + strspn(text + at + digits, " ");
+    unit = words_one_of("mm|cm|cms|in|inch|inches", text + at);
+    at += unit + strspn(text + at + unit, " ");
+    return digits && unit && text[at] == '}' ? at + 1 : 0;
+}
+
+size_t groups_braces(const char *text)
+{
+    size_t at = 1, stitches = 0;
+
+    if (measure_length(text))
+        return measure_length(text);
+    for (; strchr("kKpP", text[at]) && text[at]; stitches++) {
+        at++;
+        at += strspn(text + at, "0123456789");
+        at += strspn(text + at, " ,");
+    }
+    return stitches > 1 && text[at] == '}' ? at + 1 : 0;
+}
+
+size_t groups_sizes(const char *text, size_t at, const struct page_facts *facts)
+{
+    size_t before = at, length;
+    int n;
+
+    while (before > 0 && text[before - 1] == ' ')
+        before--;
+    length = facts->sizes && at > facts->sizes && before > 0 && isdigit((unsigned char)text[before - 1]) ? prose_sizes_length(text + at, &n) : 0;
+    return length && n == facts->nsizes && (n > 1 || strchr(" ,", text[at + length])) ? length : 0;
+}
+
+size_t groups_said_again(const char *text, size_t at)
+{
+    size_t n = words_stitch_length(text + at + 1), digits = at, word;
+    const char *behind;
+
+    while (digits > 0 && strchr(" 0123456789", text[digits - 1]))
+        digits--;
+    for (word = digits; word > 0 && isalpha((unsigned char)text[word - 1]);)
+        word--;
+    digits += strspn(text + digits, " ");
+    if (!n || text[at + 1 + n] != ')' || !words_one_of("knit|purl", text + word) || tolower((unsigned char)text[word]) != tolower((unsigned char)text[at + 1]))
+        return 0;
+
+    /* `knit 1 (k1) 3 times`: a group of its own. */
+    behind = words_skip_blanks(text + at + n + 2);
+    if ((*behind && strchr("{*", *behind)) || words_behind_number(behind) || words_one_of("twice|thrice|once|x|rep|repeat|to|until", behind))
+        return 0;
+    return words_number(text + digits) == words_number(text + at + 2) ? n + 2 : 0;
+}
+
+size_t groups_close(const char *text)
+{
+    int open = 0;
+
+    for (size_t at = 0; text[at] && !words_ends_line(text[at]); at++) {
+        open += strchr("([{", text[at]) ? 1 : strchr(")]}", text[at]) ? -1 : 0;
+        if (open == 0)
+            return at;
+    }
+    return 0;
+}
+
+bool groups_fill_row(const char *text, size_t close)
+{
+    size_t inner = 1 + strspn(text + 1, " "), behind = text[inner] == '(' ? inner + groups_close(text + inner) + 1 : close;
+
+    if (behind >= close || !words_stitch_length(text + inner + 1))
+        return false;
+    behind += strspn(text + behind, " ");
+    return words_one_of("to last|to end", text + behind) > 0 && strcspn(text + behind, "([{") > close - behind;
+}

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A page's text in, its gauge and its lengths out. */
+#include "lang/page/lengths.h"
+
+#include "lang/page/words.h"
+
+#include <stdlib.h>
+
+enum { REGION = 400 };          /* bytes that a gauge is looked for behind its word */
+
+static const double SHORTEST = 10;      /* mm; less is a needle */
+
+/* Longest first where one begins another. */
+static const struct unit {
+    const char *sign;
+    double millimetres;
+} units[] = {{"\"", 25.4},      {"''", 25.4},  {"\xE2\x80\xB3", 25.4}, {"\xE2\x80\x9D", 25.4}, {"\xE2\x80\x9C", 25.4},
+             {"inches", 25.4},  {"inch", 25.4}, {"ins", 25.4},         {"in", 25.4},
+             {"centimetres", 10}, {"centimeters", 10}, {"cms", 10},    {"cm", 10}, {"mm", 1}};
+enum { UNITS = sizeof units / sizeof *units };
+
+static const struct fraction {
+    const char *sign;
+    double value;
+} fractions[] = {{"\xC2\xBD", 1. / 2}, {"\xC2\xBC", 1. / 4}, {"\xC2\xBE", 3. / 4}, {"\xE2\x85\x93", 1. / 3},
+                 {"\xE2\x85\x94", 2. / 3}, {"1/2", 1. / 2}, {"1/4", 1. / 4}, {"3/4", 3. / 4}, {"1/3", 1. / 3}, {"2/3", 2. / 3}};
+
+/* Behind a unit; NULL: there is none. */
+static const char *unit_at(const char *text, double *millimetres)
+{
+    for (int i = 0; i < UNITS; i++) {
+        size_t length = strlen(units[i].sign);
+
+        if (strncasecmp(text, units[i].sign, length) != 0 || (isalpha((unsigned char)*units[i].sign) && words_length(text) != length))
+            continue;
+        *millimetres = units[i].millimetres;
+        return text + length;
+    }
+    return NULL;
+}
+
+static const char *fraction_at(const char *text, double *value)
+{
+    for (size_t i = 0; i < sizeof fractions / sizeof *fractions; i++)
+        if (*text == *fractions[i].sign && strncmp(text, fractions[i].sign, strlen(fractions[i].sign)) == 0) {
+            *value += fractions[i].value;
+            return text + strlen(fractions[i].sign);
+        }
+    return NULL;
+}
+
+/* "8", "8.5", "8,5", "8½", "8 1/2", "8-1/2", "½"; NULL: there is none. */
+static const char *number_at(const char *text, double *value)
+{
+    const char *behind, *at = text;
+
+    *value = 0;
+    if ((behind = fraction_at(text, value)))
+        return behind;
+    for (; isdigit((unsigned char)*at); at++)
+        *value = 10 * *value + (*at - '0');
+    if (at == text)
+        return NULL;
+    if (strchr(".,", *at) && isdigit((unsigned char)at[1]))
+        for (double place = 0.1; isdigit((unsigned char)*++at); place /= 10)
+            *value += place * (*at - '0');
+    behind = fraction_at(at + strspn(at, " -"), value);
+    return behind ? behind : at;
+}
+
+/* Behind "(9, 10)", the numbers of further sizes, or nothing. */
+static const char *skip_sizes(const char *text)
+{
+    const char *at = words_skip_blanks(text);
+    size_t length = strchr("([", *at) && *at ? 1 + strspn(at + 1, "0123456789.,:-/ \xC2\xBD\xBC\xBE") : 0;
+
+    return length && strchr(")]", at[length]) && at[length] ? at + length + 1 : text;
+}
+
+/* "8 in", "8 (9, 10) inches", "4-inch"; NULL: there is none. */
+static const char *length_at(const char *text, double *millimetres)
+{
+    double value, unit;
+    const char *at = number_at(text, &value);
+
+    if (!at)
+        return NULL;
+    at = skip_sizes(at);
+    at += strspn(at, " \t-");
+    at = unit_at(words_is(at, "more") ? words_skip_blanks(at + 4) : at, &unit);
+    *millimetres = at ? value * unit : 0;
+    return at;
+}
+
+static bool begins_number(const char *text, const char *first)
+{
+    unsigned char before = text > first ? (unsigned char)text[-1] : ' ';
+
+    return (isdigit((unsigned char)*text) || (unsigned char)*text >= 0xC2) && !isalnum(before) && before != '.';
+}
+
+/* The first length of a part of a text, or the last; 0: none. */
+static double find_length(const char *first, const char *end, bool last)
+{
+    double found = 0, millimetres;
+
+    for (const char *at = first; at < end && (last || found == 0); at++)
+        if (begins_number(at, first) && length_at(at, &millimetres) && millimetres >= SHORTEST)
+            found = millimetres;
+    return found;
+}
+
+/* "per inch", "to the inch". */
+static double one_unit(const char *first, const char *end)
+{
+    static const char *const one[] = {"per", "the", "an", "each", "one"};
+    double millimetres;
+
+    for (const char *at = first; at < end; at += words_length(at) + 1)
+        if (words_find(at, one, sizeof one / sizeof *one) >= 0 && unit_at(words_next(at), &millimetres) && millimetres >= SHORTEST)
+            return millimetres;
+    return 0;
+}
+
+static const char *line_end(const char *text)
+{
+    return text + words_line_length(text);
+}
+
+/* The length that the rows named at `rows` make: behind them on their line, or before. */
+static double length_of_rows(const char *line, const char *rows, const char *end)
+{
+    const char *stop = line_end(rows) < end ? line_end(rows) : end;
+    double length = find_length(rows, stop, false);
+
+    if (length == 0)
+        length = one_unit(rows, stop);
+    return length > 0 ? length : find_length(line, rows, true);
+}
+
+/* Where an empty line, or the text, ends what stands together. */
+static const char *paragraph_end(const char *text)
+{
+    const char *most = text + strnlen(text, REGION), *next;
+
+    for (const char *end = line_end(text); end < most; end = line_end(next)) {
+        next = end + (end[0] == '\r' && end[1] == '\n') + 1;
+        if (strchr("\r\n", *words_skip_blanks(next)))
+            return end;
+    }
+    return most;
+}
+
+/* In what stands behind "gauge", on its lines. */
+static double gauge_within(const char *text, const char *end)
+{
+    const char *line = text;
+    double rows, length;
+
+    for (const char *at = text; at < end; at++) {
+        const char *behind = begins_number(at, text) ? number_at(at, &rows) : NULL;
+
+        if (strchr("\r\n", *at))
+            line = at + 1;
+        length = behind && words_are_rows(words_skip_blanks(behind)) ? length_of_rows(line, behind, end) : 0;
+        if (length > 0)
+            return rows / length;
+    }
+    return 0;
+}
+
+double lengths_gauge(const char *text)
+{
+    static const char *const word[] = {"gauge", "tension"};
+    double gauge = 0;
+
+    while (*text && gauge == 0) {
+        size_t length = words_length(text);
+        bool here = words_find(text, word, sizeof word / sizeof *word) >= 0;
+
+        text += length ? length : 1;
+        if (here) {
+            text += strspn(text, " \t:*_.\r\n");
+            gauge = gauge_within(text, paragraph_end(text));
+            text = paragraph_end(text);
+        }
+    }
+    return gauge;
+}
+
+static bool says(const char *text, const char *const *word, int n)
+{
+    for (; *text; text += words_length(text) ? words_length(text) : 1)
+        if (words_find(text, word, n) >= 0)
+            return true;
+    return false;
+}
+
+bool lengths_said(const char *phrase)
+{
+    return find_length(phrase, phrase + strlen(phrase), false) > 0;
+}
+
+bool lengths_follow(const char *text)
+{
+    double millimetres;
+
+    if (words_is(text, "until") || words_is(text, "till"))
+        return find_length(text, line_end(text), false) > 0;
+    return length_at(text, &millimetres) != NULL;
+}
+
+/* `RS row`, `wrong side row`; 0: neither. */
+static int row_of_side(const char *text)
+{
+    bool right = words_is(text, "rs") || words_is(text, "right"), wrong = words_is(text, "ws") || words_is(text, "wrong");
+
+    text = words_next(text);
+    text += strspn(text, "-");
+    text = words_is(text, "side") ? words_next(text) : text;
+    return !words_are_rows(text) ? 0 : right ? ENDING_RS : wrong ? ENDING_WS : 0;
+}
+
+int lengths_ending(const char *phrase)
+{
+    static const char *const end[] = {"end", "ends", "ending", "finish", "finishing"}, *const of[] = {"with", "on", "after", "a", "the", "pattern", "patt"},
+                             *const other[] = {"or", "of", "and"};
+    const char *at = phrase, *behind;
+
+    while (*at && words_find(at, end, 5) < 0)
+        at += words_length(at) ? words_length(at) : 1;
+    if (!*at || words_find(words_next(at), of, 3) < 0)
+        return 0;
+    for (at = words_next(at); words_find(at, of, sizeof of / sizeof *of) >= 0;)
+        at = words_next(at);
+    if (row_of_side(at))
+        return row_of_side(at);
+    behind = words_next(words_skip_blanks(at + words_ordinal_length(at)));
+    behind = words_skip_blanks(behind + strspn(behind, "0123456789"));
+    return words_find(behind, other, 3) >= 0 ? 0 : words_row(at);
+}
+
+double lengths_wanted(const char *phrase, bool *part)
+{
+    static const char *const of_part[] = {"rib", "ribbing", "border", "section", "band", "edging", "hem", "cuff", "welt"};
+    static const char *const not_it[] = {"less", "short", "shorter", "before", "longer"};
+    static const char *const until[] = {"until", "till"};
+
+    *part = !says(phrase, until, 2) || says(phrase, of_part, sizeof of_part / sizeof *of_part);
+    return says(phrase, not_it, sizeof not_it / sizeof *not_it) ? 0 : find_length(phrase, phrase + strlen(phrase), false);
+}

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A page's text in, the facts that its sentences state of all its rows out. */
+#include "lang/page/page_facts.h"
+
+#include <ctype.h>
+#include <string.h>
+#include <strings.h>
+
+#include "lang/page/lengths.h"
+#include "lang/page/page_sides.h"
+#include "lang/page/prose.h"
+#include "lang/page/prose_line.h"
+#include "lang/page/words.h"
+
+/* ---- whose words they are ---- */
+
+/* `motif flag {`, `for i in 1..4 {`: a block of the language's own. */
+static bool begins_block(const char *text)
+{
+    size_t n = words_line_length(text);
+
+    while (n > 0 && strchr(" \t", text[n - 1]))
+        n--;
+    return (n > 0 && text[n - 1] == '{') || (memchr(text, '{', n) && !prose_reads(text, true) && words_is(text, "chart"));
+}
+
+/* Rows in a knitter's words, and no statement of the language's own. */
+static bool is_knitters(const char *text, size_t size)
+{
+    bool rows = false;
+
+    for (size_t at = 0, line; at < size; at += line + 1) {
+        const char *first = text + at + strspn(text + at, " \t*-");
+
+        line = words_line_length(text + at);
+        if ((prose_line_is_keyword(first) && !prose_line_ends(first + words_length(first))) || begins_block(first))
+            return false;
+        rows |= words_row(first) || prose_begins_cast_on(first);
+    }
+    return rows;
+}
+
+/* ---- rows that are rounds ---- */
+
+/* `This is knit in the round`, `is worked in rounds`; not `may be knit in the round`, `knit in the round or flat`. */
+static bool says_round(const char *text, size_t at)
+{
+    static const char *const work[] = {"knit", "knitted", "worked", "made"}, *const maybe[] = {"can", "could", "may", "might", "if", "to", "either", "not", "when"},
+                             *const round[] = {"round", "rounds", "rnd", "rnds"}, *const either[] = {"or", "and"};
+    const char *next = words_next(text + at);
+
+    if (words_find(text + at, work, 4) < 0)
+        return false;
+    for (int i = 0; i < 6 && !words_is(next, "in"); i++)
+        next = words_next(next);
+    next = words_is(next, "in") ? words_next(next) : "";
+    next = words_is(next, "the") ? words_next(next) : next;
+    if (words_find(next, round, 4) < 0 || words_find(words_next(next), either, 2) >= 0)
+        return false;
+    for (size_t back = 0; back < at && back < WORDS_MARGIN && !strchr(".\r\n", text[at - back - 1]); back++)
+        if (words_find(text + at - back, maybe, sizeof maybe / sizeof *maybe) >= 0)
+            return false;
+    return true;
+}
+
+/* Whether `join .. in the round` stands before the rows, no row has a wrong side, and rows are not called both. */
+static bool is_joined(const char *text)
+{
+    static const char *const join[] = {"join", "joined", "joining"}, *const round[] = {"round", "rnd", "rounds", "circle", "twist", "twisted", "twisting"},
+                             *const flat[] = {"ws", "wrong", "turn"};
+    size_t said = 0;
+    bool joined = false, rows = false, rounds = false;
+
+    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
+        n = words_length(text + at);
+        if (!n || (at > 0 && isalnum((unsigned char)text[at - 1])))
+            continue;
+        if (words_find(text + at, flat, 3) >= 0)
+            return false;
+        if (words_row(text + at)) {
+            rows |= strncasecmp(text + at, "row", 3) == 0;
+            rounds |= n > 1 && strncasecmp(text + at, "row", 3) != 0;
+        }
+        if (rows && !joined)
+            return false;
+        joined |= says_round(text, at);
+        if (words_find(text + at, join, 3) >= 0)
+            said = at + 1;
+        else if (said && at < said + 100 && words_find(text + at, round, 7) >= 0)
+            joined = true;
+    }
+    return joined && !(rows && rounds);
+}
+
+/* ---- looms ---- */
+
+/* Behind the last `loom` of a text with rows; 0: there is none. */
+static size_t find_loom(const char *text, bool *pegs)
+{
+    static const char *const loom[] = {"loom", "looms"}, *const peg[] = {"peg", "pegs"};
+    size_t behind = 0;
+    bool rows = false, rounds = false;
+
+    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
+        n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
+        if (text[at] == '#' || !n || (at > 0 && isalnum((unsigned char)text[at - 1])))
+            continue;
+        rows |= words_are_rows(text + at) && strncasecmp(text + at, "row", 3) == 0;
+        rounds |= n > 1 && words_row(text + at) && strncasecmp(text + at, "row", 3) != 0;
+        *pegs |= words_find(text + at, peg, 2) >= 0;
+        behind = words_find(text + at, loom, 2) >= 0 ? at + n : behind;
+    }
+    *pegs &= rows && !rounds && behind;
+    return rows && !rounds ? behind : 0;
+}
+
+/* ---- sizes ---- */
+
+/* Where `(26, 30)` of a cast-on stands, and how many further sizes that are; or 0. */
+static size_t find_sizes(const char *text, int *n)
+{
+    size_t bracket = 0;
+
+    for (size_t at = strcspn(text, "cC"); text[at] && !bracket; at += 1 + strcspn(text + at + 1, "cC")) {
+        bool begins = at == 0 || !isalnum((unsigned char)text[at - 1]);
+        size_t cast = begins ? prose_begins_cast_on(text + at) : 0, digits;
+
+        if (!cast)
+            continue;
+        cast = at + cast + strspn(text + at + cast, " ");
+        digits = strspn(text + cast, "0123456789");
+        cast += digits + strspn(text + cast + digits, " ");
+        if (digits && strchr("([", text[cast]) && text[cast] && prose_sizes_length(text + cast, n))
+            bracket = cast;
+    }
+    return bracket;
+}
+
+struct page_facts page_facts_read(const char *text, size_t size)
+{
+    struct page_facts facts = {.rounds = is_joined(text)};
+
+    if (!words_are_page(text, size))
+        return facts;
+    facts.knitters = is_knitters(text, size);
+    facts.first = page_sides(text);
+    facts.gauge = lengths_gauge(text);
+    facts.loom = facts.rounds ? 0 : find_loom(text, &facts.pegs);
+    facts.sizes = find_sizes(text, &facts.nsizes);
+    return facts;
+}

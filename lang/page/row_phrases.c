@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * A place of a row's text in, what stands for its words plainly out: `alternate k1 and p1`, `purl on RS, knit on WS`. */
+#include "lang/page/row_phrases.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "lang/page/prose.h"
+#include "lang/page/remarks.h"
+#include "lang/page/words.h"
+
+size_t row_phrases_star(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const times[] = {"times", "x"}, *const again[] = {"rep", "repeat"};
+    size_t digits = at + 1 + strspn(text + at + 1, " "), word = digits + strspn(text + digits, "0123456789"), close = word + strspn(text + word, " ");
+    int stars = 0;
+
+    if (word == digits || word - digits > 5 || words_find(text + close, times, 2) < 0 || text[close + words_length(text + close)] != ')')
+        return 0;
+    close += words_length(text + close) + 1;
+    for (size_t before = at; before > 0 && !strchr(":{}\r\n", text[before - 1]); before--)
+        stars += text[before - 1] == '*';
+    if (stars != 1 || words_line_has(text + close, again[0]) || words_line_has(text + close, again[1]) || words_line_has_sign(text + close, "*") || !remarks_in_row(text, at))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, "* %d x", atoi(text + digits));
+    return strlen(plain) <= close - at ? close - at : 0;
+}
+
+/* `k1`, `purl 2`: its bytes; or 0. */
+static size_t stitch_length(const char *text)
+{
+    size_t n = words_are(text, WORDS_PLAIN) ? words_length(text) : 0;
+
+    n += n ? strspn(text + n, " ") : 0;
+    return n && isdigit((unsigned char)text[n]) ? n + strspn(text + n, "0123456789") : 0;
+}
+
+size_t row_phrases_alternate(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const words[] = {"alternate", "alternating"}, *const joins[] = {"and", "with"};
+    size_t first = words_find(text + at, words, 2) >= 0 ? at + words_length(text + at) : at, end, second;
+    bool ends;
+
+    first += strspn(text + first, " ");
+    end = first + stitch_length(text + first);
+    second = end + strspn(text + end, " ,&");
+    second += words_find(text + second, joins, 2) >= 0 ? words_length(text + second) : 0;
+    second += strspn(text + second, " ");
+    if (first == at || end == first || second == end || !stitch_length(text + second) || !remarks_in_row(text, at))
+        return 0;
+    ends = prose_line_ends(text + second + stitch_length(text + second));
+    snprintf(plain, SIGNS_PLAIN, ends ? "*%.*s,%.*s rep" : "(%.*s,%.*s)", (int)(end - first), text + first, (int)stitch_length(text + second), text + second);
+    end = second + stitch_length(text + second) - at;
+    return strlen(plain) + 1 < SIGNS_PLAIN && strlen(plain) <= end ? end : 0;
+}
+
+/* `knit on the right side`, `K on RS rows`: its bytes, the stitch and the side in small letters; or 0. */
+static size_t on_side_length(const char *text, char *stitch, char *side)
+{
+    static const char *const on[] = {"on", "the"}, *const sides[] = {"rs", "ws", "right", "wrong"};
+    size_t at = words_are(text, WORDS_PLAIN) ? words_length(text) : 0;
+
+    *stitch = (char)tolower((unsigned char)*text);
+    for (at += at ? strspn(text + at, " ") : 0; at && words_find(text + at, on, 2) >= 0; at += strspn(text + at, " "))
+        at += words_length(text + at);
+    if (!at || words_find(text + at, sides, 4) < 0)
+        return 0;
+    *side = (char)tolower((unsigned char)text[at]);
+    at += words_length(text + at);
+    for (size_t next = at + strspn(text + at, " -"); words_is(text + next, "side") || words_are_rows(text + next); next = at + strspn(text + at, " "))
+        at = next + words_length(text + next);
+    return at;
+}
+
+size_t row_phrases_sided(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    char stitch[2], side[2];
+    size_t first = on_side_length(text + at, &stitch[0], &side[0]), second = at + first;
+
+    second += strspn(text + second, " ,;");
+    second += words_is(text + second, "and") ? 3 + strspn(text + second + 3, " ") : 0;
+    if (!first || !on_side_length(text + second, &stitch[1], &side[1]) || stitch[0] == stitch[1] || side[0] == side[1] || !remarks_in_row(text, at))
+        return 0;
+    strcpy(plain, (stitch[0] == 'k') == (side[0] == 'r') ? "st st" : "rev st st");
+    return second + on_side_length(text + second, &stitch[1], &side[1]) - at;
+}
+
+/* Behind words of a list and the blanks between. */
+static const char *skip_words(const char *text, const char *const *word, int n)
+{
+    text = words_skip_blanks(text);
+    while (words_find(text, word, n) >= 0)
+        text = words_next(text);
+    return text;
+}
+
+size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const lead[] = {"work", "cont", "continue", "in", "the", "pattern", "patt", "pat", "until", "till", "you", "have", "there", "are", "worked"},
+                             *const of[] = {"full", "complete", "completed", "whole", "pattern", "repeat", "repeats", "reps", "repetitions", "of", "the"},
+                             *const joins[] = {"to", "and", "through"},
+                             *const done[] = {"have", "has", "are", "is", "been", "worked", "completed", "complete", "done", "made", "knitted"};
+    const char *number = words_find(text + at, lead, 3) >= 0 ? skip_words(text + at, lead, 15) : text + at, *rows, *first, *last, *end;
+    bool until = false;
+    int n = number > text + at && words_behind_number(number) ? words_number(number) : 0;
+
+    if (n < 1)
+        return 0;
+    rows = skip_words(words_behind_number(number), of, 11);
+    first = words_next(rows);
+    if (!words_are_rows(rows) || !isdigit((unsigned char)*first) || tolower((unsigned char)rows[words_length(rows) - 1]) != 's')
+        return 0;
+    for (const char *word = text + at; word < number; word += words_length(word) + 1)
+        until |= words_is(word, "until") || words_is(word, "till");
+    last = first + strspn(first, "0123456789");
+    last += strspn(last, " -\xE2\x80\x93");
+    last = skip_words(last, joins, 3);
+    end = last + strspn(last, "0123456789");
+    if (end == last || rows - number > 80)
+        return 0;
+    end = skip_words(end, done, 11);
+    snprintf(plain, SIGNS_PLAIN, until ? "rep %.*s %d-%d %d x in all" : "work %.*s %d-%d %d x", (int)words_length(rows), rows, atoi(first), atoi(last), n);
+    return strchr(".,;\r\n", *end) && strlen(plain) + 1 < SIGNS_PLAIN && strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
+}

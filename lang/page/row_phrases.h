@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Phrases of a row's text that are put plainly (signs.c): how many bytes go, with `plain` in their place; 0: none of these. */
+#ifndef WEFT_ROW_PHRASES_H
+#define WEFT_ROW_PHRASES_H
+
+#include <stddef.h>
+
+#include "lang/page/signs.h"
+
+/* `(5 times)` of `k1, *p1, k1 (5 times)`, where the row's star has no other end: its second star. */
+size_t row_phrases_star(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
+/* `alternate k1 and p1`: a repeat, or a group that something behind it ends. */
+size_t row_phrases_alternate(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
+/* `purl on RS, knit on WS`: a fabric. */
+size_t row_phrases_sided(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
+/* `Work until 3 full repeats of rows 1-4 have been completed`: those rows, so often in all. */
+size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
+#endif

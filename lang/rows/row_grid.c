@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Rows in the order of work in; the widths they fit and the grid they make out. */
+#include <string.h>
+
+#include "lang/rows/row_draw.h"
+#include "lang/rows/row_fit.h"
+#include "lang/rows/row_list.h"
+#include "lang/rows/row_misfit.h"
+
+bool rows_fit(const struct row_list *list, struct fit *fit)
+{
+    const struct row_text *before = NULL;
+
+    *fit = (struct fit){1, 0, 0};
+    for (int i = 0; i < list->norder; i++)
+        list->order[i]->seen = false;
+    for (int i = 0; i < list->norder; i++) {
+        struct row_text *text = list->order[i];
+        struct fit row, both;
+
+        /* Each text once, however often it is worked. */
+        if (text->as_below || text->as_opposite || text->cut || text->failed || text->seen)
+            continue;
+        text->seen = true;
+        if (!row_fit(list->diag, text, &row))
+            return false;
+        if (!fit_join(fit, &row, &both)) {
+            misfit_rows(list->diag, text, before, &row, fit);
+            return false;
+        }
+        *fit = both;
+        before = text;
+    }
+    return true;
+}
+
+bool rows_one_repeat(const struct row_list *list, const struct fit *all)
+{
+    struct fit row;
+
+    for (int i = 0; i < list->norder; i++) {
+        const struct row_text *text = list->order[i];
+
+        if (text->work && !text->cut && row_fit(list->diag, text, &row) && row.multiple == all->multiple)
+            return true;
+    }
+    return false;
+}
+
+long long rows_said_width(const struct row_list *list)
+{
+    for (int i = 0; i < list->norder; i++)
+        if (list->order[i]->check > 0)
+            return list->order[i]->check;
+    return 0;
+}
+
+static bool nothing_below(struct row_list *list, const struct row_text *text)
+{
+    const char *row = list->round ? "rnd" : row_list_side(list, 0) == SIDE_WS ? "row (RS)" : "row (WS)";
+
+    diag_error(list->diag, CODE_ROW_REFERENCE, text->span, "there is no row below the first");
+    diag_hint(list->diag, "put the row it is worked on before it, `Set-up %s: *k2, p2; rep from * to end`, or write its own stitches", row);
+    return false;
+}
+
+/* Works the end that is another than its row's: over as many stitches. */
+static bool work_end(struct row_list *list, const struct row_text *text, int width, enum width_from from, stitch_id *worked)
+{
+    struct row_text end = *text;
+
+    if (!text->end)
+        return true;
+    end.work = text->end;
+    end.check = -1;
+    if (text->end_length <= width)
+        return row_work(list->diag, &end, (int)text->end_length, from, NULL, worked + width - text->end_length);
+    diag_error(list->diag, CODE_ROW_COUNT, text->span, "this end has %lld stitches, the row %d", text->end_length, width);
+    return false;
+}
+
+const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from,
+                             const stitch_id *ws)
+{
+    stitch_id *cell, *worked = arena_array(list->arena, stitch_id, (size_t)width);
+    int rows = height ? height : list->norder;
+    struct grid *g = grid_new(list->arena, width, rows, &cell);
+    const struct row_text *before = NULL;
+    bool good = true, shaped = false;
+
+    for (int i = 0; i < list->norder; i++)
+        memset(list->order[i]->drawn, 0, sizeof list->order[i]->drawn);
+    for (int i = 0; i < rows; i++) {
+        struct row_text *text = list->order[i % list->norder];
+        enum side side = row_list_side(list, i);
+        stitch_id *to = cell + (size_t)i * (size_t)width;
+
+        /* A text that was drawn on this side before is the same again. */
+        if (i >= list->norder)
+            row_list_check_side(list, text, i, 0);
+        if (list->failed)
+            return NULL;
+        shaped |= text->shaped;
+        if (text->failed || shaped) {
+            good = false;
+            before = NULL;
+            continue;
+        }
+        if ((text->as_below || text->as_opposite) && i == 0) {
+            nothing_below(list, text);
+            return NULL;
+        }
+        if (text->as_opposite) {
+            for (int x = 0; x < width; x++)
+                to[x] = ws[to[x - width]];
+        } else if (text->as_below) {
+            memcpy(to, to - width, (size_t)width);
+        } else if (text->drawn[side]) {
+            memcpy(to, cell + (size_t)(text->drawn[side] - 1) * (size_t)width, (size_t)width);
+        } else {
+            struct row_text here = *text;
+
+            here.work = side == SIDE_WS && text->on_ws ? text->on_ws : text->work;
+            if (!row_work(list->diag, &here, width, from, before, worked) || !work_end(list, text, width, from, worked)) {
+                good = false;
+            } else if (i == 0 && row_draw_asks_below(worked, width)) {
+                good = nothing_below(list, text);
+            } else if (good) {
+                text->drawn[side] = row_draw(to, worked, (struct row_place){width, side, list->round, i == 0, list->front && !text->on_ws, ws}) ? i + 1 : 0;
+            }
+        }
+        before = text;
+    }
+    return good ? g : NULL;
+}
