@@ -497,6 +497,8 @@ bool row_work(struct diag *diag, const struct row_text *text, int width, enum wi
         filling = fills_row(row, &fit, width, &often);
         if (!short_one && !filling) {
             misfit_width(diag, row, &fit, width, left);
+            if (!before && from == WIDTH_CAST_ON)
+                misfit_hint_edges(diag, &fit, width);
             return false;
         }
         if (short_one)

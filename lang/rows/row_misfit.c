@@ -129,12 +129,16 @@ void misfit_width(struct diag *diag, const struct row_text *row, const struct fi
     if (fit->multiple > 1)
         diag_note(diag, (struct span){0}, "this row fits %s; %lld is %lld x %lld + %lld", fit_text(arena, fit), width,
                   fit->multiple, width / fit->multiple, width % fit->multiple);
-    if (fit->multiple > 1 && width >= fit->least) {
-        long long over = ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple;
-
+    if (fit->multiple > 1 && width >= fit->least)
         hint_nearest(diag, "", fit, width);
-        diag_hint(diag, "or work the %s left over as its edges, before the '*' and behind `to last ..`", stitches(arena, over));
-    }
+}
+
+void misfit_hint_edges(struct diag *diag, const struct fit *fit, long long width)
+{
+    long long over = fit->multiple > 1 && width >= fit->least ? ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple : 0;
+
+    if (over)
+        diag_hint(diag, "or work the %s left over as its edges, before the '*' and behind `to last ..`", stitches(diag->arena, over));
 }
 
 void misfit_rows(struct diag *diag, const struct row_text *row, const struct row_text *before, const struct fit *fit,

@@ -14,6 +14,9 @@ const char *misfit_left(struct arena *, enum width_from, const struct row_text *
 /* A row's own widths, none of which is this one. */
 void misfit_width(struct diag *, const struct row_text *, const struct fit *, long long width, const char *left);
 
+/* Behind that, of a row with a repeat: the stitches left over may be its edges. */
+void misfit_hint_edges(struct diag *, const struct fit *, long long width);
+
 /* A row's widths, which have nothing in common with those of the rows before. */
 void misfit_rows(struct diag *, const struct row_text *, const struct row_text *before, const struct fit *row, const struct fit *others);
 
