@@ -93,7 +93,7 @@ static bool put_named(char *text, size_t word, const struct list *list)
         int number = words_number(text + at);
 
         end = at + strspn(text + at, "0123456789");
-        if (number < 1 || number > list->n || !list->step[number - 1].row)
+        if (number < 1 || number > list->n || !list->step[number - 1].row || end - at >= NUMBER)
             return false;
         put_number(text, at, end, list->step[number - 1].row);
         at = (size_t)(words_skip_blanks(text + end) - text);
