@@ -152,7 +152,7 @@ static bool star_is_missing(struct parse *parse, struct span span)
     if (at > 0 && span.source->text[at - 1] == '*')
         return false;
     diag_error(parse->diag, CODE_SYNTAX, span, "no '*' before this says where the repeat begins");
-    diag_hint(parse->diag, "`*k2, p2; rep from * to end`: put the '*' before the first stitch that is repeated");
+    diag_hint(parse->diag, "`*k2, p2; rep from * to end`: put the '*' before the first stitch that is repeated; whole rows: `Repeat rows 1-4 once`");
     return true;
 }
 

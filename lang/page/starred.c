@@ -4,9 +4,11 @@
 #include "lang/page/starred.h"
 
 #include <ctype.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "lang/page/prose.h"
 #include "lang/page/words.h"
 
 enum { LABEL = 16, MOST_STARS = 3 };
@@ -16,6 +18,7 @@ struct starred {
     size_t star;        /* where they stand, */
     int    first, last; /* rows; first 0: there is none open, -1: several begin so */
     size_t close;       /* as many stars at the end of the last row's line, which close it; 0: none */
+    bool   repeated;    /* some were repeated behind the last of them */
 };
 
 static size_t count_stars(const char *text)
@@ -78,6 +81,8 @@ static void put_repeat(char *text, const struct starred *rows, size_t line, size
     from += strspn(text + from, " .");
     mark = from + strcspn(text + from, "*");
     closed = mark + stars < end;
+    if (rows->repeated || (closed && !rows->close))
+        return;
     n = snprintf(label, sizeof label, closed ? "r%03d" : "r%d-%d", rows->first, rows->last);
     if (n >= LABEL || from + (size_t)n >= end || (closed && (rows->last > 9 * (stars > 1 ? 11 : 1) || (size_t)n > strlen("from"))))
         return;
@@ -93,7 +98,21 @@ static void put_repeat(char *text, const struct starred *rows, size_t line, size
         memset(text + rows->close, ' ', stars);
 }
 
-/* What a line says of the rows behind so many stars. */
+/* Counts a row on; none that begins again, or that leaves out of account what was repeated before it. */
+static void count_on(struct starred *rows, const char *text, size_t head, size_t line, size_t stars)
+{
+    int number = words_row(text + head);
+
+    if (number <= rows->last || (rows->repeated && number == rows->last + 1)) {
+        *rows = (struct starred){.first = -1};
+        return;
+    }
+    rows->last = last_number(text + head);
+    rows->repeated = false;
+    rows->close = closing_stars(text, line, stars);
+}
+
+/* What a line says of the rows behind so many stars; where other work is among them, their numbers are not all of it. */
 static void read_line(struct starred *rows, const char *text, size_t line, size_t stars)
 {
     size_t head = line + count_stars(text + line);
@@ -101,10 +120,14 @@ static void read_line(struct starred *rows, const char *text, size_t line, size_
     head += strspn(text + head, " ");
     if (count_stars(text + line) == stars && words_row(text + head) && (stars > 1 || head == line + 1))
         *rows = rows->first ? (struct starred){.first = -1} : (struct starred){.star = line, .first = words_row(text + head)};
-    if (rows->first > 0 && words_row(text + head)) {
-        rows->last = last_number(text + head);
-        rows->close = closing_stars(text, line, stars);
-    }
+    if (rows->first <= 0 || rows->close)
+        return;
+    if (words_row(text + head))
+        count_on(rows, text, head, line, stars);
+    else if (words_are(text + line, WORDS_AGAIN))
+        rows->repeated = true;
+    else if (prose_statement_follows(text + line))
+        *rows = (struct starred){.first = -1};
 }
 
 const char *starred_plain(struct arena *arena, const char *text, size_t size)
@@ -116,11 +139,12 @@ const char *starred_plain(struct arena *arena, const char *text, size_t size)
         size_t length;
 
         line = at + strspn(text + at, " \t");
-        for (stars = 1; stars <= MOST_STARS; stars++)
-            read_line(&rows[stars], text, line, stars);
         length = repeat_length(text + line, &stars);
-        if (!length || rows[stars].first <= 0 || !rows[stars].last)
+        if (!length || rows[stars].first <= 0 || !rows[stars].last) {
+            for (stars = 1; stars <= MOST_STARS; stars++)
+                read_line(&rows[stars], text, line, stars);
             continue;
+        }
         own = own ? own : arena_copy(arena, text, size);
         put_repeat(own, &rows[stars], line, length, stars);
         rows[stars] = (struct starred){0};

@@ -182,6 +182,7 @@ const struct phrase turns_of_pages[] = {
     {"repeated =to|until|across|from", "rep"},
     {"pearl|perl knitting", "purl"},
     {"pearl|perl =#", "purl"},
+    {"=# pearl|perl", "purl"},
     {"plain knitting", "knit"},
     {"( =rep|repeat =from =* =# =times )", ""},
     {"( place marker )", ""},
