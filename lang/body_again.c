@@ -60,13 +60,16 @@ static bool ends_within(const struct stmt *stmt, const struct again *again, stru
     return again->kind == AGAIN_PATTERN && work_follows(stmt) && last_part(body, again, texts);
 }
 
-/* `until it measures 8 in, ending with a RS row`: one row more, where the last one is of the other side and more is worked behind it. */
+/* `until it measures 8 in, ending with a RS row`: one row more, where the last one is of the other side; of a length
+ * that is not known where more is worked behind it. */
 static void end_on_side(const struct stmt *stmt, const struct again *again, struct body *body, struct row_texts texts, long long n)
 {
     enum side side = again->stop == ENDING_RS ? SIDE_RS : SIDE_WS, last = rows_last_side(body->rows);
     struct row_texts next = texts;
 
-    if (again->stop >= 0 || !texts.n || !last || last == side || !work_follows(stmt))
+    bool known = again->kind == AGAIN_LENGTH || again->kind == AGAIN_PART_LENGTH;
+
+    if (again->stop >= 0 || !texts.n || !last || last == side || !(known || work_follows(stmt)))
         return;
     next.text = texts.text + (again->kind == AGAIN_PATTERN ? 0 : n % texts.n);
     next.n = 1;
@@ -84,7 +87,7 @@ static long long rows_to_length(const struct again *again, struct body *body, st
         n -= texts.n;
     if (n <= part)
         return part;
-    return again->which == AGAIN_GO_ON && !part ? n : (n - part + texts.n - 1) / texts.n * texts.n + part;
+    return (again->which == AGAIN_GO_ON && !part) || again->stop < 0 ? n : (n - part + texts.n - 1) / texts.n * texts.n + part;
 }
 
 /* The pattern whose name is mentioned; false, with a message, where it cannot be told. */

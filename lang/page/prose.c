@@ -142,7 +142,7 @@ static bool asks_for_work(const char *text, size_t length)
         asks |= first >= 3 && !heading && words_is(text + i, "in") && (words_is(behind, "rib") || words_is(behind, "ribbing"));
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
-    asks |= words_line_has(text, "change") && words_line_has(text, "continue") && first < 0;
+    asks |= first < 0 && words_line_has(text, "change") && (words_line_has(text, "continue") || words_line_has(text, "until"));
     asks |= words_is(text, "alternate") && (words_line_has(text, "sections") || words_line_has(text, "rows"));
     asks |= first > 8 && words_line_has(text, "work");
     return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
