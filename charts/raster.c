@@ -43,6 +43,10 @@ void raster_give_up(struct raster *r)
 
 void raster_row(struct raster *r, struct span line)
 {
+    if (!r->here && !r->width) {
+        diag_error(r->diag, CODE_RAGGED, line, "this row has no stitch");
+        return;
+    }
     if (!r->width) {
         r->width = r->here;
         r->first = line;

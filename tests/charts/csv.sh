@@ -69,6 +69,11 @@ w.csv:1:1: note: the first row
    1 | k,p
      | ^~~
 TEXT
+wrong 'a first row without a stitch' '3\n,p,k,k,k,p,p,p,p,p,p,k,\r,' <<'TEXT'
+w.csv:1:1: error: this row has no stitch [E0801]
+   1 | 3
+     | ^
+TEXT
 wrong 'an empty cell' 'k,p\nk,\n' <<'TEXT'
 w.csv:2:3: error: this cell is empty [E0803]
    2 | k,
