@@ -38,7 +38,6 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
 static int last_part(struct body *body, const struct again *again, struct row_texts texts)
 {
     const struct row_text *last = again->stop > 0 ? rows_find(body->rows, again->stop) : NULL;
-
     int at = last ? again->stop - texts.text[0]->label : 0;     /* rows of one text, `Rows 1 and 2`, are told apart by their place */
 
     if (last && at >= 0 && at < texts.n && texts.text[at] == last)
@@ -66,7 +65,6 @@ static void end_on_side(const struct stmt *stmt, const struct again *again, stru
 {
     enum side side = again->stop == ENDING_RS ? SIDE_RS : SIDE_WS, last = rows_last_side(body->rows);
     struct row_texts next = texts;
-
     bool known = again->kind == AGAIN_LENGTH || again->kind == AGAIN_PART_LENGTH;
 
     if (again->stop >= 0 || !texts.n || !last || last == side || !(known || work_follows(stmt)))
@@ -76,7 +74,8 @@ static void end_on_side(const struct stmt *stmt, const struct again *again, stru
     rows_again(body->rows, stmt->span, next, 1, 0);
 }
 
-/* Rows up to a length of n: whole repeats, the last as far as it goes, but where the pattern goes on row by row. */
+/* Rows up to a length of n: whole repeats, the last up to the row that ends it; row by row, where the pattern goes on so
+ * or the length ends on a side. */
 static long long rows_to_length(const struct again *again, struct body *body, struct row_texts texts, long long n)
 {
     int part = last_part(body, again, texts);

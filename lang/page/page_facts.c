@@ -42,6 +42,17 @@ static bool is_knitters(const char *text, size_t size)
 
 /* ---- rows that are rounds ---- */
 
+static bool is_called_row(const char *text)
+{
+    return strncasecmp(text, "row", 3) == 0;
+}
+
+/* `Rnd 1`; not `R1`, which may be either. */
+static bool heads_round(const char *text)
+{
+    return words_length(text) > 1 && words_row(text) && !is_called_row(text);
+}
+
 /* `This is knit in the round`, `is worked in rounds`; not `may be knit in the round`, `knit in the round or flat`. */
 static bool says_round(const char *text, size_t at)
 {
@@ -77,10 +88,8 @@ static bool is_joined(const char *text)
             continue;
         if (words_find(text + at, flat, 3) >= 0)
             return false;
-        if (words_row(text + at)) {
-            rows |= strncasecmp(text + at, "row", 3) == 0;
-            rounds |= n > 1 && strncasecmp(text + at, "row", 3) != 0;
-        }
+        rows |= words_row(text + at) && is_called_row(text + at);
+        rounds |= heads_round(text + at);
         if (rows && !joined)
             return false;
         joined |= says_round(text, at);
@@ -105,8 +114,8 @@ static size_t find_loom(const char *text, bool *pegs)
         n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
         if (text[at] == '#' || !n || (at > 0 && isalnum((unsigned char)text[at - 1])))
             continue;
-        rows |= words_are_rows(text + at) && strncasecmp(text + at, "row", 3) == 0;
-        rounds |= n > 1 && words_row(text + at) && strncasecmp(text + at, "row", 3) != 0;
+        rows |= words_are_rows(text + at) && is_called_row(text + at);
+        rounds |= heads_round(text + at);
         *pegs |= words_find(text + at, peg, 2) >= 0;
         behind = words_find(text + at, loom, 2) >= 0 ? at + n : behind;
     }

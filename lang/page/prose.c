@@ -139,7 +139,6 @@ static bool asks_for_work(const char *text, size_t length)
         while (words_is(behind, "the") || words_is(behind, "last") || words_is(behind, "final"))    /* `Knit the last 4 rows` */
             behind = words_next(behind);
         asks |= (words_are(text + i, WORDS_PLAIN | WORDS_WORK) || words_is(text + i, "rib")) && prose_rows_follow(behind);
-        asks |= first >= 3 && !heading && words_is(text + i, "in") && (words_is(behind, "rib") || words_is(behind, "ribbing"));
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
     asks |= first < 0 && words_line_has(text, "change") && (words_line_has(text, "continue") || words_line_has(text, "until"));
