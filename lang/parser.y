@@ -472,7 +472,8 @@ row_body:
 | AS_ROW parts BUT_END items            { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first, .item = $items.first}; }
 | AS_ROW parts BUT_END items check      { $$ = (struct row){.body = BODY_AS_ROW, .reference = $parts.first, .item = $items.first, .check = $check, .check_span = @check}; }
 | AS_NTH_ROW                            { $$ = (struct row){.body = BODY_AS_ROW, .reference = ast_row_numbers(parse, @1, expr_number(parse, @1, $1.value, 0), NULL, ALL_NONE)}; }
-| FABRIC                                { $$ = (struct row){.body = BODY_FABRIC, .fabric = $1}; }
+| FABRIC starting                       { $$ = (struct row){.body = BODY_FABRIC, .fabric = $1, .starting = $starting}; }
+| FABRIC check                          { $$ = (struct row){.body = BODY_FABRIC, .fabric = $1, .check = $check, .check_span = @check}; }
 ;
 
 elements:

@@ -311,7 +311,7 @@ struct row syntax_row(struct parse *parse, struct row head, struct span head_spa
         body.body = BODY_IN_PATTERN;
     }
     body.count = head.count;
-    body.starting = head.starting;
+    body.starting = body.starting ? body.starting : head.starting;
     body.setup = head.setup;
     body.round = head.round;
     body.side = head.side;

@@ -32,17 +32,32 @@ bool remarks_are(const char *text, size_t length)
     return found;
 }
 
-/* Whether `seed stitch`, `rib` stands before: brackets behind that say how it is worked. */
+/* Whether `seed stitch`, `st st`, `rib` stands before: brackets behind that say how it is worked. */
 static bool behind_fabric(const char *text, size_t at)
 {
-    static const char *const fabric[] = {"seed", "moss", "garter", "stitch", "stockinette", "rib", "ribbing"};
+    static const char *const fabric[] = {"seed", "moss", "garter", "g", "st", "stocking", "stockinette", "rib", "ribbing"},
+                             *const whole[] = {"seed", "moss", "garter", "stockinette", "rib", "ribbing"}, *const stitch[] = {"st", "stitch"};
+    bool named = false;
     size_t end;
 
-    while (at > 0 && text[at - 1] == ' ')
-        at--;
-    for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
-        at--;
-    return end > at && words_find(text + at, fabric, sizeof fabric / sizeof *fabric) >= 0;
+    for (int words = 0; words < 2; words++) {
+        while (at > 0 && text[at - 1] == ' ')
+            at--;
+        for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
+            at--;
+        named |= words == 0 && words_find(text + at, stitch, 2) >= 0;
+        if (end == at || !named)
+            break;
+    }
+    return end > at && (named ? words_find(text + at, fabric, 9) : words_find(text + at, whole, 6)) >= 0;
+}
+
+/* `(knit all sts)`, `(one row knit, one row purl)`: how a fabric is worked. */
+static bool tells_fabric(const char *text)
+{
+    static const char *const word[] = {"purl", "every", "one", "alternate", "right", "wrong"};
+
+    return tolower((unsigned char)*text) == 'k' || words_find(text, word, sizeof word / sizeof *word) >= 0;
 }
 
 /* `(to make 6 boxes)`: what stitches are for; `(9 sts remain)` before those that are left, `(32 sts), k8` of those before. */
@@ -70,7 +85,7 @@ size_t remarks_length(const char *text, size_t at)
         return 0;
     if (remarks_are(here + 1, close - 1) || is_purpose(here, close))
         return close + 1;
-    if (!behind_fabric(text, at) || tolower((unsigned char)here[1]) != 'k')
+    if (!behind_fabric(text, at) || !tells_fabric(here + 1))
         return 0;
     here += close + 1;
     here += strspn(here, " \t");
@@ -168,7 +183,7 @@ static size_t sentence_length(const char *text, char close, bool named, int *num
         if (!n && isdigit((unsigned char)text[at])) {
             n = strspn(text + at, "0123456789");
             *number = n < 7 ? atoi(text + at) : 0;
-            if (++numbers > 1)
+            if (++numbers > 1 || text[at + n] == ':')   /* `Rows 4-6: st st` */
                 return 0;
         }
     }
