@@ -160,12 +160,18 @@ struct measure { int rows; bool part; int ending; };
 struct told { int n, first, last; };
 
 /* Which rows, where no numbers are given. */
-enum again_which { AGAIN_NUMBERS, AGAIN_LAST, AGAIN_THEM, AGAIN_GO_ON };
+enum again_which { AGAIN_NUMBERS, AGAIN_LAST, AGAIN_THEM, AGAIN_GO_ON, AGAIN_STARRED };
+
+/* Those between the last marks of so many stars. */
+struct starred {
+    int from, to;   /* to 0: up to here */
+};
 
 struct again {
     enum again_which    which;
     struct row_numbers *numbers;
     struct expr        *last;           /* repeat the last n rows */
+    struct starred      starred;        /* those between the stars */
     enum again_kind     kind;
     bool                pattern;        /* said in words: "for pattern" */
     bool                open;           /* until a length, of which no gauge says how many rows it is */
@@ -239,6 +245,7 @@ enum stmt_kind {
     STMT_ROW,
     STMT_AGAIN,
     STMT_PATTERN,       /* `these 4 rows form the pattern` */
+    STMT_STARS,         /* a mark of so many: a repeat begins or ends here */
     STMT_FOR,
     STMT_IF,
     STMT_CHART,
@@ -266,6 +273,7 @@ struct stmt {
         struct row row;
         struct again again;
         struct told told;
+        int stars;
         struct { struct name_at name; struct range range; struct stmt *body; } loop;
         struct { struct expr *condition; struct stmt *then, *otherwise; } choice;
         struct { struct symbol *symbol; struct name_at *line; } chart;      /* lines: texts, top first */

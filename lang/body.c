@@ -444,6 +444,9 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
     case STMT_PATTERN:
         rows_tell(body->rows, stmt->span, stmt->told);
         return true;
+    case STMT_STARS:
+        rows_mark(body->rows, stmt->stars);
+        return true;
     case STMT_PROSE:
         return true;
     case STMT_LET:

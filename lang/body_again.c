@@ -27,6 +27,8 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
         diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "there are no numbered rows to go on with");
         diag_hint(eval->diag, "`These 4 rows form the pattern`, behind them, says which rows without numbers are meant");
         return false;
+    case AGAIN_STARRED:
+        return rows_starred(body->rows, stmt->span, again->starred, texts);
     default:
         return row_labels_evaluate(eval, where, again->numbers, &labels) &&
                (!again->onwards || row_labels_go_on(eval, &labels, rows_last_number(body->rows), stmt->span)) &&
@@ -34,18 +36,40 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
     }
 }
 
-/* How many rows of the last repeat there are up to the one a length ends with; 0: it is whole. */
+/* How many rows of one text, `Rows 1 and 2`, come before the one of this number; -1: it is another row, or none. */
+static int place_among(struct body *body, const struct again *again, const struct row_text *text, int number)
+{
+    int before = -1;
+
+    for (; number > 0 && rows_find_of(body->rows, again->from, number) == text; number--)
+        before++;
+    return before;
+}
+
+/* So many rows, or the fewest more up to the one that a length ends with; 0: none is named, or it is not among them.
+ * Rows of one text are told apart by their numbers, which are their places, or by how many are before them. */
+static long long rows_to_stop(struct body *body, const struct again *again, struct row_texts texts, long long n)
+{
+    const struct row_text *last = again->stop > 0 ? rows_find_of(body->rows, again->from, again->stop) : NULL;
+    int at = last ? again->stop - texts.text[0]->label : 0, others = last ? place_among(body, again, last, again->stop) : 0, before = -1;
+    bool by_place = last && again->which != AGAIN_STARRED && at >= 0 && at < texts.n && texts.text[at] == last;
+
+    for (int place = (int)((n - 1) % texts.n); last && place >= 0 && texts.text[place] == last; place--)
+        before++;
+    for (long long end = n; last && end < n + texts.n; end++) {
+        int place = (int)((end - 1) % texts.n);
+
+        before = texts.text[place] != last ? -1 : end == n ? before : place ? before + 1 : 0;
+        if (by_place ? place == at : before >= 0 && before == others)
+            return end;
+    }
+    return 0;
+}
+
+/* How many rows of the last repeat there are up to the one a length ends with; 0: it is whole, or none is named. */
 static int last_part(struct body *body, const struct again *again, struct row_texts texts)
 {
-    const struct row_text *last = again->stop > 0 ? rows_find(body->rows, again->stop) : NULL;
-    int at = last ? again->stop - texts.text[0]->label : 0;     /* rows of one text, `Rows 1 and 2`, are told apart by their place */
-
-    if (last && at >= 0 && at < texts.n && texts.text[at] == last)
-        return (at + 1) % texts.n;
-    for (at = 0; last && at + 1 < texts.n; at++)
-        if (texts.text[at] == last)
-            return at + 1;
-    return 0;
+    return texts.n ? (int)(rows_to_stop(body, again, texts, texts.n) % texts.n) : 0;
 }
 
 static bool work_follows(const struct stmt *stmt)
@@ -78,7 +102,7 @@ static void end_on_side(const struct stmt *stmt, const struct again *again, stru
  * or the length ends on a side. */
 static long long rows_to_length(const struct again *again, struct body *body, struct row_texts texts, long long n)
 {
-    int part = last_part(body, again, texts);
+    long long part = last_part(body, again, texts), stop;
 
     if (again->kind == AGAIN_LENGTH)
         n -= rows_count(body->rows);
@@ -86,13 +110,17 @@ static long long rows_to_length(const struct again *again, struct body *body, st
         n -= texts.n;
     if (n <= part)
         return part;
-    return (again->which == AGAIN_GO_ON && !part) || again->stop < 0 ? n : (n - part + texts.n - 1) / texts.n * texts.n + part;
+    stop = rows_to_stop(body, again, texts, n);
+    if (stop)
+        return stop;
+    return again->which == AGAIN_GO_ON || again->stop < 0 ? n : (n + texts.n - 1) / texts.n * texts.n;
 }
 
 /* The pattern whose name is mentioned; false, with a message, where it cannot be told. */
 static bool choose_rows(struct eval *eval, const struct stmt *stmt, const struct again *again, struct body *body)
 {
-    const char *what = again->several                                    ? "rows of two names in one sentence"
+    const char *what = again->which == AGAIN_STARRED                     ? NULL
+                       : again->several                                  ? "rows of two names in one sentence"
                        : again->from && again->which == AGAIN_LAST       ? "the last rows, and a pattern by its name"
                        : again->from                                     ? "the rows of this name are not among these"
                        : again->which != AGAIN_LAST && rows_to_choose(body->rows) ? "several patterns are above: which is meant is not said"
@@ -188,6 +216,12 @@ static bool check_ending(struct eval *eval, const struct stmt *stmt, const struc
     return false;
 }
 
+/* `Repeat from ** to **`: once more. */
+static bool is_once(const struct again *again)
+{
+    return again->which == AGAIN_STARRED && again->kind == AGAIN_PATTERN && !again->pattern && !again->open;
+}
+
 /* `3 times, 6 rows in all`: the rows above are the first time where it comes out so. */
 static bool read_sum(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body,
                      struct row_texts texts, long long *n)
@@ -231,9 +265,12 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         return false;
     rows_both_sides(body->rows, texts);
     warn_since_when(eval, stmt, again, body, texts, n);
-    if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))
+    if (is_once(again))
         n = 1;
-    warn_open(eval, stmt, again, body, texts, n > 0);
+    else if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))
+        n = 1;
+    if (!is_once(again))
+        warn_open(eval, stmt, again, body, texts, n > 0);
     n = left_to_work(again, body, texts, n, described);
     if (again->kind == AGAIN_UNTIL_ROWS)
         rows_again(body->rows, stmt->span, texts, 0, n);

@@ -307,9 +307,9 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
     rows_describe(body.rows, body_describes(eval->main->file));
     rows_of_page(body.rows, &eval->main->facts);
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
-        if (!makes_rows(stmt) && (stmt->kind != STMT_PATTERN || !body.first.source))
+        if (!makes_rows(stmt) && stmt->kind != STMT_STARS && (stmt->kind != STMT_PATTERN || !body.first.source))
             continue;
-        if (!body.first.source)
+        if (!body.first.source && stmt->kind != STMT_STARS)
             body.first = stmt->span;
         body_statement(eval, (struct where){eval->main, NULL}, stmt, &body);
     }

@@ -151,7 +151,7 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
 {
     const char *next = SCANNER_TEXT(scanner);
 
-    if (!*next || item_follows(scanner, next) || page_chart_line(scanner->parse->chart, scanner->at).source || (statement_follows(scanner, next) && !(in_row && scanner_in_row_head(scanner) && prose_row_line(next))))
+    if (!*next || scanner_stars(scanner, next) || item_follows(scanner, next) || page_chart_line(scanner->parse->chart, scanner->at).source || (statement_follows(scanner, next) && !(in_row && scanner_in_row_head(scanner) && prose_row_line(next))))
         return true;
     if (scanner_in_bracket(scanner))
         return false;
@@ -170,9 +170,10 @@ bool scanner_repeat_goes_on(const struct scanner *scanner)
 {
     static const char *const words[] = {"until", "till", "for"};
     const char *text = SCANNER_TEXT(scanner);
-    bool repeat = scanner->statement == TOKEN_REPEAT_ROWS || scanner->statement == TOKEN_REPEAT_LAST || scanner->statement == TOKEN_REPEAT_THEM;
+    bool repeat = scanner->statement == TOKEN_REPEAT_ROWS || scanner->statement == TOKEN_REPEAT_LAST || scanner->statement == TOKEN_REPEAT_THEM ||
+                  scanner->statement == TOKEN_REPEAT_STARRED;
 
-    if (!repeat || (scanner->previous != TOKEN_NUMBER && scanner->previous != TOKEN_ROW_WORD && scanner->previous != TOKEN_REPEAT_THEM))
+    if (!repeat || (scanner->previous != TOKEN_NUMBER && scanner->previous != TOKEN_ROW_WORD && scanner->previous != scanner->statement))
         return false;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (words_is_name(text, words[i]))

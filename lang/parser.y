@@ -70,6 +70,8 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     struct { int of, plus; } parity;
     struct measure measure;
     struct told told;
+    struct starred starred;
+    int stars;
     struct expr *expr;
     struct exprs exprs;
     struct argument *argument;
@@ -133,6 +135,9 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token PROSE            "a line of text"
 %token <measure> GO_ON            "'continue in pattern'"
 %token <told> FORM_PATTERN   "'these rows form the pattern'"
+%token <stars> STARS           "stars that mark rows"
+%token <starred> REPEAT_STARRED  "'repeat from' the stars"
+%token <starred> THEN_STARRED    "'then from' the stars"
 %token GO_ON_ROWS       "'continue in pattern for'"
 %token <side> STARTING  "'starting with'"
 %token REPEAT_THEM      "'repeat them'"
@@ -286,6 +291,7 @@ line:
 | statement
 | PROSE                                 { $$ = ast_stmt(parse, STMT_PROSE, @$); }
 | GO_ON                                 { $$ = syntax_goes_on(parse, @$, $GO_ON); }
+| STARS                                 { $$ = ast_stmt(parse, STMT_STARS, @$); $$->stars = $STARS; }
 | FORM_PATTERN                          { $$ = stmt_pattern(parse, @$, $FORM_PATTERN); }
 | error                                 { $$ = NULL; }
 ;
@@ -555,6 +561,7 @@ repeat_statement:
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
 | REPEAT_THEM again                     { $$ = stmt_again(parse, @$, $again); $$->again.which = AGAIN_THEM; }
+| REPEAT_STARRED again                  { $$ = stmt_again(parse, @$, syntax_starred($REPEAT_STARRED, $again)); }
 | WORK_LAST count ROW_WORD again        { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_LAST; $$->again.last = $count; }
 | WORK_THEM again                       { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_THEM; }
 | GO_ON_ROWS count more ROW_WORD pattern
@@ -570,9 +577,11 @@ pattern: %empty | FOR_PATTERN;
 again:
   again_once
 | again[all] THEN_ROWS parts again_once[then]
-                                        { $$ = $all; syntax_then(parse, &$$, @THEN_ROWS, $parts.first, $then); }
+                                        { $$ = $all; syntax_then(parse, &$$, @THEN_ROWS, syntax_again($parts.first, NULL, $then)); }
+| again[all] THEN_STARRED again_once[then]
+                                        { $$ = $all; syntax_then(parse, &$$, @THEN_STARRED, syntax_starred($THEN_STARRED, $then)); }
 | again[all] THEN_FIRST count[n] ROW_WORD again_once[then]
-                                        { $$ = $all; syntax_then(parse, &$$, @THEN_FIRST, syntax_first_rows(parse, @n, $n), $then); }
+                                        { $$ = $all; syntax_then(parse, &$$, @THEN_FIRST, syntax_again(syntax_first_rows(parse, @n, $n), NULL, $then)); }
 ;
 again_once:
   %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }

@@ -7,6 +7,7 @@
 #include "lang/limits.h"
 #include "lang/parse.h"
 #include "lang/parser.h"
+#include "lang/page/starred.h"
 #include "lang/page/words.h"
 
 enum bracket {
@@ -66,6 +67,12 @@ struct stmt *scanner_parse(struct scanner *);
 
 /* Runs flex alone: each token up to TOKEN_END goes to `take`. */
 void scanner_tokens(struct scanner *, void (*take)(void *context, int kind, struct span), void *context);
+
+/* The stars of a mark that begins a text; 0: none does. */
+static inline int scanner_stars(const struct scanner *scanner, const char *text)
+{
+    return starred_mark(scanner->parse->text, scanner->parse->source->text, (size_t)(text - scanner->parse->text));
+}
 
 /* Whether there are too many errors to go on. */
 bool scanner_gives_up(struct scanner *, struct span);

@@ -353,11 +353,11 @@ struct again syntax_rib(struct again again)
     return again;
 }
 
-void syntax_then(struct parse *parse, struct again *all, struct span span, struct row_numbers *numbers, struct again again)
+void syntax_then(struct parse *parse, struct again *all, struct span span, struct again again)
 {
     struct again *then = arena_new(parse->arena, struct again), **last = &all->then;
 
-    *then = syntax_again(numbers, NULL, again);
+    *then = again;
     if (then->kind == AGAIN_PATTERN && !then->n) {
         then->kind = AGAIN_TIMES;
         then->n = expr_number(parse, span, 1, 0);
@@ -365,6 +365,13 @@ void syntax_then(struct parse *parse, struct again *all, struct span span, struc
     while (*last)
         last = &(*last)->then;
     *last = then;
+}
+
+struct again syntax_starred(struct starred starred, struct again again)
+{
+    again.which = AGAIN_STARRED;
+    again.starred = starred;
+    return again;
 }
 
 struct row_numbers *syntax_first_rows(struct parse *parse, struct span span, struct expr *n)

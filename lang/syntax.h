@@ -59,7 +59,8 @@ struct row syntax_bare_head(struct parse *, struct span, enum side round);
 struct again syntax_go_on(struct span, struct expr *count);
 
 /* Behind what is repeated, `.. then rows 1 and 2`: those once where nothing is said; the first n rows. */
-void syntax_then(struct parse *, struct again *all, struct span, struct row_numbers *, struct again);
+void syntax_then(struct parse *, struct again *all, struct span, struct again);
+struct again syntax_starred(struct starred, struct again);
 struct row_numbers *syntax_first_rows(struct parse *, struct span, struct expr *n);
 
 #endif

@@ -65,6 +65,21 @@ static size_t label_length(const char *text)
     return 0;
 }
 
+/* How long `Beg 1 x 1 rib - ` is before a row or what is worked in it; or 0. */
+static size_t begin_length(const char *text)
+{
+    size_t at, line = words_line_length(text);
+
+    if (!words_is(text, "beg") && !words_is(text, "begin"))
+        return 0;
+    for (at = words_length(text); at < line && (isalnum((unsigned char)text[at]) || text[at] == ' '); at++)
+        ;
+    if (text[at - 1] != ' ' || text[at] != '-' || text[at + 1] != ' ')
+        return 0;
+    at += 1 + strspn(text + at + 1, " ");
+    return words_row(text + at) || words_are(text + at, WORDS_WORK) ? at : 0;
+}
+
 size_t heads_rows_named(const char *text)
 {
     static const char *const not_it[] = {"all", "every", "each", "even", "odd", "uneven", "next", "last", "first", "other", "following", "set", "setup", "prep", "as",
@@ -354,7 +369,7 @@ size_t heads_length(const char *text, bool inside, bool *stop)
         return length;
     if (!inside && memchr(text, '|', words_line_length(text)) && !is_statement(text))
         return table_length(text);
-    if ((length = title_length(text)) || (length = label_length(text)) || (length = inside ? 0 : heads_label(text)))
+    if ((length = title_length(text)) || (length = label_length(text)) || (length = begin_length(text)) || (length = inside ? 0 : heads_label(text)))
         return length;
     return (length = part_length(text)) ? length : first_row_length(text);
 }

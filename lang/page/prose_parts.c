@@ -7,6 +7,7 @@
 #include "lang/page/prose_line.h"
 #include "lang/page/repeats.h"
 #include "lang/syntax.h"
+#include "lang/page/starred.h"
 #include "lang/page/words.h"
 
 bool prose_line_ends(const char *text)
@@ -101,7 +102,11 @@ bool prose_repeats_rows(const char *text)
     static const char *const word[] = {"for",  "these", "this",    "those", "last", "them", "all", "pattern",
                                        "previous", "preceding", "in", "as", "section", "sections"};
 
+    struct starred starred;
+
     text = words_skip_blanks(text);
+    if (starred_length(text, &starred))
+        return true;
     if (words_is(text, "from") || words_is(text, "the"))
         text = words_next(text);
 

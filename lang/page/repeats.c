@@ -4,6 +4,7 @@
 
 #include "lang/page/prose.h"
 #include "lang/scanner.h"
+#include "lang/page/starred.h"
 #include "lang/page/words.h"
 
 size_t repeats_rows_length(const char *text)
@@ -84,10 +85,15 @@ int repeats_kind(const char *text, size_t *length)
 {
     const char *word = words_next(text), *rows = words_is(word, "from") ? words_next(word) : word;
     size_t before = (size_t)(word - text), n;
+    struct starred starred;
 
     if ((n = repeats_rows_length(rows)) > 0) {
         *length = (size_t)(rows - text) + n;
         return TOKEN_REPEAT_ROWS;
+    }
+    if ((n = starred_length(word, &starred)) > 0) {
+        *length = before + n;
+        return TOKEN_REPEAT_STARRED;
     }
     *length = words_length(text);
     if (is_advice(word))

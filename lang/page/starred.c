@@ -1,153 +1,260 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * A page's text in, the same with the numbers of its rows for the star that stands before them out:
- * `*Row 1: .. Row 2: .. Rep from * twice` repeats rows 1 and 2. */
+ * A page's text in, the same with marks for its stars that say from where and to where something is worked again out.
+ * A star is a bullet, a bold word's or a row's own until a `Repeat from *` names it. */
 #include "lang/page/starred.h"
 
-#include <ctype.h>
-#include <stdbool.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
 
-enum { LABEL = 16, MOST_STARS = 3 };
+enum { MOST_STARS = 3, MOST_MARKS = 40 };
 
-/* Rows behind so many stars that begin a line. */
-struct starred {
-    size_t star;        /* where they stand, */
-    int    first, last; /* rows; first 0: there is none open, -1: several begin so */
-    size_t close;       /* as many stars at the end of the last row's line, which close it; 0: none */
-    bool   repeated;    /* some were repeated behind the last of them */
+/* So many stars in the text. */
+struct stars {
+    size_t at;
+    int    n;
 };
 
-static size_t count_stars(const char *text)
+/* The stars above a repeat that may be marks, and whether one has named them. */
+struct marks {
+    struct stars stars[MOST_MARKS];
+    int          n;
+    bool         used[MOST_STARS + 1];
+};
+
+static int count_stars(const char *text)
 {
-    return strspn(text, "*");
+    size_t n = strspn(text, "*");
+
+    return n <= MOST_STARS ? (int)n : 0;
 }
 
-/* The last number of `Row 1`, `Rows 2-4`, `2nd row`. */
-static int last_number(const char *head)
+/* Whether nothing but blanks stands before on the line, or a sentence ends there. */
+static bool begins(const char *text, size_t at)
 {
-    int last = words_ordinal_length(head) ? words_row(head) : 0;
+    size_t end = at;
 
-    for (const char *at = words_next(head); isdigit((unsigned char)*at); at += strspn(at, " -")) {
-        last = words_number(at);
-        at += strspn(at, "0123456789");
+    while (end > 0 && strchr(" \t", text[end - 1]))
+        end--;
+    return end == 0 || words_ends_line(text[end - 1]) || (end < at && strchr(".:)", text[end - 1]));
+}
+
+static bool ends_line(const char *text)
+{
+    text += strspn(text, " \t.;");
+    return !*text || words_ends_line(*text);
+}
+
+/* Whether something is worked behind, a row with its name or a sentence. */
+static bool work_follows(const char *text)
+{
+    const char *behind = words_behind_number(words_next(text));
+
+    if (words_are(text, WORDS_PLAIN))
+        return behind && words_are_rows(behind);
+    return words_row(text) || (prose_statement_follows(text) && !words_stitch_length(text));
+}
+
+/* Whether the other stars of a line make two letters bold: `**Row 1:** k2`, `**Border**`. */
+static bool is_bold(const char *text, size_t at, int n)
+{
+    size_t line = words_line_start(text, at), end = line + words_line_length(text + line);
+
+    for (size_t i = line, first, last; i < end; i += strspn(text + i, "*") + 1) {
+        if (text[i] != '*' || i == at || count_stars(text + i) != n)
+            continue;
+        first = i < at ? i : at;
+        last = i < at ? at : i;
+        if (!work_follows(words_skip_blanks(text + first + n)) || text[last - 1] == ':' || !(begins(text, last) || ends_line(text + last + n)))
+            return true;
     }
-    return last;
+    return false;
 }
 
-/* The bytes of `Repeat from *`, `Rep from ** to **` at a line's beginning, and the stars; 0: it is none, or a part of a
- * row, `rep from * to end`. */
-static size_t repeat_length(const char *line, size_t *stars)
+/* Whether stars may be a mark: before what is worked, or behind it. A single one before a row stands right at it: a
+ * bullet does not. `open`: one is above that another may close. */
+static bool may_be_mark(const char *text, size_t at, int n, bool open)
+{
+    const char *next = text + at + n;
+    size_t line = words_line_start(text, at);
+    bool first = line + strspn(text + line, " \t") == at;
+
+    if (n == 1 && begins(text, at))
+        return first ? words_row(next) || ends_line(next) : work_follows(words_skip_blanks(next));
+    if (n == 1)
+        return open && ends_line(next) && !memchr(text + line, '*', at - line);
+    if (text[at - (at > 0)] == '*' || (!begins(text, at) && !ends_line(next)))
+        return false;
+    return !is_bold(text, at, n);
+}
+
+static int count_marks(const struct marks *marks, int stars)
+{
+    int n = 0;
+
+    for (int i = 0; i < marks->n; i++)
+        n += marks->stars[i].n == stars;
+    return n;
+}
+
+/* What follows `rep from *` where it is a part of a row: `to end`, `across`, `until 2 sts remain`. */
+static bool is_of_row(const char *text)
 {
     static const char *const of_a_row[] = {"to", "across", "around", "all"};
-    const char *from = words_next(line + (strncasecmp(line, "rep.", 4) == 0)), *at;
 
-    if (!words_are(line, WORDS_AGAIN) || !words_is(from, "from"))
-        return 0;
-    at = words_next(from);
-    *stars = count_stars(at);
-    if (!*stars || *stars > MOST_STARS)
-        return 0;
-    at += *stars;
-    from = words_skip_blanks(at);
-    if ((words_is(from, "to") || words_is(from, "through")) && count_stars(words_next(from)) == *stars)
-        at = words_next(from) + *stars;
-    return words_find(words_skip_blanks(at), of_a_row, 4) < 0 && !words_are(words_skip_blanks(at), WORDS_END) ? (size_t)(at - line) : 0;
+    text = words_skip_blanks(text);
+    if (words_is(text, "until") || words_is(text, "till"))
+        return words_number(words_next(text)) > 0 || words_is(words_next(text), "last");
+    return words_find(text, of_a_row, 4) >= 0 || words_are(text, WORDS_END) || (*text == ',' && prose_stitches_follow(words_skip_blanks(text + 1)));
 }
 
-/* Where as many stars end a line; a single one where no other is on it. 0: nowhere. */
-static size_t closing_stars(const char *text, size_t line, size_t stars)
-{
-    size_t n = words_line_length(text + line);
+/* `from **`, `between ** and **`: where its stars stand; from.n 0: it is none. */
+struct named_stars {
+    struct stars from, to;
+};
 
-    while (n > 0 && strchr(" \t.;", text[line + n - 1]))
-        n--;
-    if (n <= stars || count_stars(text + line + n - stars) != stars || text[line + n - stars - 1] == '*')
-        return 0;
-    return stars > 1 || !memchr(text + line, '*', n - 1) ? line + n - stars : 0;
-}
-
-/* `Rep from *` is `Rep r1-4`, `Rep from ** to **` is `Rep r001 to 4`: the words that stay keep their places. */
-static void put_repeat(char *text, const struct starred *rows, size_t line, size_t length, size_t stars)
+static struct named_stars stars_named(const char *text, size_t at)
 {
-    size_t from = line + words_length(text + line), end = line + length, mark;
-    char label[LABEL];
-    bool closed;
+    const char *first = words_next(text + at), *behind;
+    struct named_stars named = {0};
     int n;
 
-    from += strspn(text + from, " .");
-    mark = from + strcspn(text + from, "*");
-    closed = mark + stars < end;
-    if (rows->repeated || (closed && !rows->close))
-        return;
-    n = snprintf(label, sizeof label, closed ? "r%03d" : "r%d-%d", rows->first, rows->last);
-    if (n >= LABEL || from + (size_t)n >= end || (closed && (rows->last > 9 * (stars > 1 ? 11 : 1) || (size_t)n > strlen("from"))))
-        return;
-    memset(text + from, ' ', mark + stars - from);
-    memcpy(text + from, label, (size_t)n);
-    if (closed) {
-        memset(text + end - stars, ' ', stars);
-        n = snprintf(label, sizeof label, "%d", rows->last);
-        memcpy(text + end - n, label, (size_t)n);
+    if (!words_is(text + at, "from") && !words_is(text + at, "between"))
+        return named;
+    first = words_is(first, "the") ? words_next(first) : first;
+    n = count_stars(first);
+    behind = words_skip_blanks(first + n);
+    named.from = (struct stars){(size_t)(first - text), n};
+    if (n && (words_is(behind, "to") || words_is(behind, "and") || words_is(behind, "through")) && count_stars(words_next(behind))) {
+        behind = words_next(behind);
+        named.to = (struct stars){(size_t)(behind - text), count_stars(behind)};
+        behind += named.to.n;
     }
-    memset(text + rows->star, ' ', stars);
-    if (rows->close)
-        memset(text + rows->close, ' ', stars);
+    return is_of_row(behind) ? (struct named_stars){0} : named;
 }
 
-/* Counts a row on; none that begins again, or that leaves out of account what was repeated before it. */
-static void count_on(struct starred *rows, const char *text, size_t head, size_t line, size_t stars)
+/* `from **` behind `Repeat` at a sentence's beginning, or behind `then`: its place, or 0. */
+static size_t from_place(const char *text, size_t at)
 {
-    int number = words_row(text + head);
+    const char *word = text + at, *next = words_next(word + (strncasecmp(word, "rep.", 4) == 0));
 
-    if (number <= rows->last || (rows->repeated && number == rows->last + 1)) {
-        *rows = (struct starred){.first = -1};
-        return;
-    }
-    rows->last = last_number(text + head);
-    rows->repeated = false;
-    rows->close = closing_stars(text, line, stars);
+    if (words_is(word, "then"))
+        next = words_are(next, WORDS_AGAIN) ? words_next(next) : next;
+    else if (!words_are(word, WORDS_AGAIN) || !begins(text, at))
+        return 0;
+    return words_is(next, "from") || words_is(next, "between") ? (size_t)(next - text) : 0;
 }
 
-/* What a line says of the rows behind so many stars; where other work is among them, their numbers are not all of it. */
-static void read_line(struct starred *rows, const char *text, size_t line, size_t stars)
+/* Whether the marks named are above and cannot be taken for others. */
+static bool are_above(const struct marks *marks, const struct named_stars *named)
 {
-    size_t head = line + count_stars(text + line);
+    int from = count_marks(marks, named->from.n), to = count_marks(marks, named->to.n);
 
-    head += strspn(text + head, " ");
-    if (count_stars(text + line) == stars && words_row(text + head) && (stars > 1 || head == line + 1))
-        *rows = rows->first ? (struct starred){.first = -1} : (struct starred){.star = line, .first = words_row(text + head)};
-    if (rows->first <= 0 || rows->close)
-        return;
-    if (words_row(text + head))
-        count_on(rows, text, head, line, stars);
-    else if (words_are(text + line, WORDS_AGAIN))
-        rows->repeated = true;
-    else if (prose_statement_follows(text + line))
-        *rows = (struct starred){.first = -1};
+    if (named->to.n == named->from.n || named->from.n > 1)
+        return named->to.n == named->from.n ? from == 2 : from > 0 && (!named->to.n || to > 0);
+    return named->from.n == 1 && from == 1 && (!named->to.n || to == 1);
+}
+
+/* The last star of a repeat's is its mark. */
+static void put_stars(char *text, struct stars stars)
+{
+    memset(text + stars.at, ' ', (size_t)stars.n);
+    text[stars.at + (size_t)stars.n - 1] = (char)stars.n;
+}
+
+/* A mark, and where there is room the ends of lines around it. */
+static void put_mark(char *text, struct stars mark)
+{
+    size_t last = mark.at + (size_t)mark.n - (mark.n > 1);
+
+    memset(text + mark.at, ' ', (size_t)mark.n);
+    text[mark.at] = (char)mark.n;
+    if (mark.at > 0 && strchr(" \t", text[mark.at - 1]))
+        text[mark.at - 1] = '\n';
+    if (strchr(" \t", text[last]))
+        text[last] = '\n';
+}
+
+/* Puts the stars that a repeat names, and the marks above. */
+static void put_named(char *text, const struct marks *marks, const struct named_stars *named)
+{
+    for (int i = 0; i < marks->n; i++)
+        if ((marks->stars[i].n == named->from.n || marks->stars[i].n == named->to.n) && text[marks->stars[i].at] == '*')
+            put_mark(text, marks->stars[i]);
+    put_stars(text, named->from);
+    if (named->to.n)
+        put_stars(text, named->to);
+}
+
+/* A single star names what is behind it once: the next is another. */
+static void forget_single(struct marks *marks)
+{
+    int n = 0;
+
+    for (int i = 0; i < marks->n; i++)
+        if (marks->stars[i].n > 1)
+            marks->stars[n++] = marks->stars[i];
+    marks->n = n;
 }
 
 const char *starred_plain(struct arena *arena, const char *text, size_t size)
 {
-    struct starred rows[MOST_STARS + 1] = {0};
+    struct marks marks = {0};
     char *own = NULL;
 
-    for (size_t at = 0, line, stars; at < size; at += words_line_length(text + at) + 1) {
-        size_t length;
+    if (!memchr(text, '*', size))
+        return text;
+    for (size_t at = 0, n; at < size; at += n ? n : 1) {
+        struct named_stars named = {0};
+        size_t from = 0;
 
-        line = at + strspn(text + at, " \t");
-        length = repeat_length(text + line, &stars);
-        if (!length || rows[stars].first <= 0 || !rows[stars].last) {
-            for (stars = 1; stars <= MOST_STARS; stars++)
-                read_line(&rows[stars], text, line, stars);
+        n = text[at] == '*' ? strspn(text + at, "*") : words_length(text + at);
+        if (text[at] == '*' && count_stars(text + at) && marks.n < MOST_MARKS && may_be_mark(text, at, (int)n, count_marks(&marks, 1) == 1))
+            marks.stars[marks.n++] = (struct stars){at, (int)n};
+        else if (text[at] != '*')
+            from = from_place(text, at);
+        if (from)
+            named = stars_named(text, from);
+        if (!named.from.n)
             continue;
+        if (are_above(&marks, &named)) {
+            own = own ? own : arena_copy(arena, text, size);
+            put_named(own, &marks, &named);
+            if (named.from.n == 1)
+                forget_single(&marks);
         }
-        own = own ? own : arena_copy(arena, text, size);
-        put_repeat(own, &rows[stars], line, length, stars);
-        rows[stars] = (struct starred){0};
+        n = (named.to.n ? named.to.at + (size_t)named.to.n : named.from.at + (size_t)named.from.n) - at;
     }
     return own ? own : text;
+}
+
+/* The stars that a mark's byte stands for; 0: another byte. */
+static int mark_at(const char *text)
+{
+    return *text >= 1 && *text <= MOST_STARS ? *text : 0;
+}
+
+int starred_mark(const char *plain, const char *source, size_t at)
+{
+    return plain[at] != source[at] ? mark_at(plain + at) : 0;
+}
+
+size_t starred_length(const char *plain, struct starred *starred)
+{
+    const char *first = words_next(plain), *behind, *to;
+
+    if (!words_is(plain, "from") && !words_is(plain, "between"))
+        return 0;
+    first = words_is(first, "the") ? words_next(first) : first;
+    *starred = (struct starred){mark_at(first), 0};
+    if (!starred->from)
+        return 0;
+    behind = first + 1;
+    to = words_next(words_skip_blanks(behind));
+    if (to > words_skip_blanks(behind) && mark_at(to)) {
+        starred->to = mark_at(to);
+        behind = to + 1;
+    }
+    return (size_t)(behind - plain);
 }

@@ -1,13 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Whole rows of a page that are repeated from a star. */
+ * Stars of a page that mark what is worked again: `** Row 1: ..`, `.. purl. **`, `Rep from ** to ** twice`. */
 #ifndef WEFT_STARRED_H
 #define WEFT_STARRED_H
 
 #include <stddef.h>
 
-#include "lang/arena.h"
+#include "lang/ast.h"
 
-/* The text with `Rep r1-4` for the `Repeat from *` below `*Row 1: ..`, in as many bytes. */
+/* The text, in as many bytes, with the byte 1, 2 or 3 for as many stars of a mark, on a line of its own, and of a
+ * `Repeat from **` that names one. */
 const char *starred_plain(struct arena *, const char *text, size_t size);
+
+/* The stars of a mark at a place of that text; 0: none. `source`: the text as it was. */
+int starred_mark(const char *plain, const char *source, size_t at);
+
+/* The bytes of `from ** to **`, its stars put so; 0: the text begins otherwise. */
+size_t starred_length(const char *plain, struct starred *);
 
 #endif

@@ -106,6 +106,7 @@ const struct phrase turns_of_pages[] = {
     {"=work # full|complete|whole? pattern|patt|pat repeats|reps|repetitions", "these rows # x"},
     {"< change|switch to pattern|pat and|, work =#", "work"},
     {"< change|switch to pattern|pat =for|until|till", "work in pat"},
+    {"< on? the? next? row? change|switch to pattern|pat and continue|cont|go|work|working to|on? work|working? even|straight? =for|until|till", "work in pat"},
     {"=pattern|patt|pat|rib|ribbing|st|stitch ,|;? and? then work? =# =row|rows|round|rounds|rnd|rnds =in", ". work"},
     {"^ ending|finishing with =# =row|rows|round|rounds|rnd|rnds =of|in? =garter|g|seed|moss|stockinette|stocking", "work"},
     {",|;? ending|finishing with =# =row|rows|round|rounds|rnd|rnds =of|in? =garter|g|seed|moss|stockinette|stocking", ". work"},

@@ -35,6 +35,38 @@ struct row_texts rows_last(struct row_list *list, int n)
     return (struct row_texts){.text = list->order + list->norder - n, .n = n};
 }
 
+void rows_mark(struct row_list *list, int stars)
+{
+    if (list->filler && !list->npending)
+        rows_work(list);
+    if (list->nmarks == list->mark_room)
+        list->mark = arena_larger(list->arena, list->mark, &list->mark_room, sizeof *list->mark);
+    list->mark[list->nmarks++] = (struct mark){stars, list->norder + list->npending};
+}
+
+/* The place in the order of work of the last mark before the n-th; n: where it stands among them. */
+static int find_mark(const struct row_list *list, int stars, int *n)
+{
+    while (--*n >= 0)
+        if (list->mark[*n].stars == stars)
+            return list->mark[*n].rows;
+    return list->norder;
+}
+
+bool rows_starred(struct row_list *list, struct span span, struct starred starred, struct row_texts *texts)
+{
+    int at = list->nmarks, end, first;
+
+    rows_work(list);
+    end = starred.to ? find_mark(list, starred.to, &at) : list->norder;
+    first = find_mark(list, starred.from, &at);
+    *texts = (struct row_texts){.text = list->order + first, .n = end - first};
+    if (list->failed || (texts->n > 0 && end <= list->norder))
+        return !list->failed;
+    diag_error(list->diag, CODE_ROW_REFERENCE, span, "no row is worked between these stars");
+    return false;
+}
+
 /* Those said to be the pattern where they are others than the numbered ones of this part, from first on. */
 static bool told_otherwise(const struct row_list *list, int first, int n)
 {
@@ -107,6 +139,14 @@ static bool begins_at(struct row_text *const *label, int room, unsigned first)
     return room > 1 && label[1] && label[1]->head.start == first;
 }
 
+const struct row_text *rows_find_of(struct row_list *list, unsigned first, int label)
+{
+    for (const struct part *part = begins_at(list->label, list->label_room, first) ? NULL : list->part; part; part = part->next)
+        if (begins_at(part->label, part->label_room, first))
+            return label < part->label_room ? part->label[label] : NULL;
+    return rows_find(list, label);
+}
+
 /* Takes a part out of those kept; NULL: there is none. */
 static struct part *take_part(struct row_list *list, unsigned first)
 {
@@ -160,7 +200,7 @@ void rows_define(struct row_list *list)
 {
     rows_work(list);
     list->order = NULL;
-    list->norder = list->room = 0;
+    list->norder = list->room = list->nmarks = 0;
     list->told.next = 0;
     list->start = SIDE_OPEN;
     list->worked_label = 0;

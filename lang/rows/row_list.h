@@ -27,6 +27,11 @@ struct told_rows {
     int n, next;    /* next: the place of the one to go on with */
 };
 
+/* So many stars behind so many rows. */
+struct mark {
+    int stars, rows;
+};
+
 struct row_list {
     struct arena *arena;
     struct diag *diag;
@@ -52,6 +57,8 @@ struct row_list {
     bool loose;                     /* what came last had no number, or was a repeat */
     enum side start; /* the side of the first row worked; open until known */
     struct told_rows told;
+    struct mark *mark;              /* stars, in the order of the text */
+    int nmarks, mark_room;
     enum side row_1; /* the side of row 1 by what the page says of its rows, */
     bool front;                     /* and that they are a loom's: all are worked from the front */
     struct part *part;              /* those before the one above */

@@ -105,6 +105,9 @@ void rows_fill(struct row_list *, struct row_text *, enum all_kind, int first, i
 /* The text of a row already given, by its number or with all rows of its kind; or NULL. */
 const struct row_text *rows_find(struct row_list *, int label);
 
+/* The same among those whose first stands at a place; 0: among the last ones. */
+const struct row_text *rows_find_of(struct row_list *, unsigned first, int label);
+
 /* Rows to be worked again. */
 struct row_texts {
     struct row_text **text;
@@ -120,6 +123,11 @@ struct row_texts rows_pattern(struct row_list *, bool going_on);
 
 /* `These 4 rows form the pattern`: they are what `rows_pattern` gives, until rows with numbers follow. */
 void rows_tell(struct row_list *, struct span, struct told);
+
+/* A mark of so many stars behind the rows given so far, and the rows between those last made; false, with a message,
+ * where there are none. */
+void rows_mark(struct row_list *, int stars);
+bool rows_starred(struct row_list *, struct span, struct starred, struct row_texts *);
 
 /* The number of the last row given. */
 int rows_last_number(const struct row_list *);
