@@ -167,6 +167,9 @@ struct starred {
     int from, to;   /* to 0: up to here */
 };
 
+/* Of what "in all" gives the sum: rows that are repeated, or else of the piece; of the piece; times. */
+enum sum_of { SUM_ROWS, SUM_PIECE, SUM_TIMES };
+
 struct again {
     enum again_which    which;
     struct row_numbers *numbers;
@@ -185,6 +188,7 @@ struct again {
     int                 ending;         /* "ending with row 2"; 0: not said */
     int                 stop;           /* the same, said of a length: where its last repeat stops; or on which side (lengths.h) */
     struct expr        *n, *sum;        /* sum: "3 times, 6 rows in all"; NULL: not said */
+    enum sum_of         sum_of;
     struct again       *then;           /* "then rows 1 and 2 once more" */
 };
 

@@ -222,25 +222,57 @@ static bool is_once(const struct again *again)
     return again->which == AGAIN_STARRED && again->kind == AGAIN_PATTERN && !again->pattern && !again->open;
 }
 
-/* `3 times, 6 rows in all`: the rows above are the first time where it comes out so. */
+/* Whether so many times, or as many less the rows above, make the sum that is said. */
+struct sums { bool more, all; };
+
+static struct sums compare_sum(const struct again *again, long long n, long long sum, long long above, long long piece, int period)
+{
+    long long rows = n * period;
+    bool of_rows = again->sum_of == SUM_ROWS;
+
+    if (again->sum_of == SUM_TIMES)
+        return (struct sums){sum == n + (above > 0) || (sum == n && again->more), sum == n};
+    return (struct sums){sum == rows + piece || (of_rows && (sum == rows + above || (sum == rows && again->more))),
+                         sum == rows - above + piece || (of_rows && sum == rows)};
+}
+
+static void refuse_sum(struct eval *eval, const struct stmt *stmt, const struct again *again, long long n, long long above, long long sum)
+{
+    const char *of = again->sum_of == SUM_TIMES ? "times" : "rows";
+
+    diag_error(eval->diag, CODE_ROW_REPEAT, stmt->span, "these are %lld %s, with %s above %lld: not %lld", n, of, again->sum_of == SUM_PIECE ? "all" : "those", n + above, sum);
+    if (again->sum_of == SUM_TIMES)
+        diag_hint(eval->diag, "`%lld more times` counts those behind the rows above", n);
+    else
+        diag_hint(eval->diag, "`.. until piece has %lld rows` counts all of the piece", sum);
+}
+
+/* `3 times, 6 rows in all`, `3 times (4 times in all)`: the rows above are the first time where it comes out so. */
 static bool read_sum(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body,
                      struct row_texts texts, long long *n)
 {
-    int above = rows_just_worked(body->rows, texts) ? texts.n : 0;
-    long long rows = *n * texts.n, sum;
+    long long above = rows_just_worked(body->rows, texts) ? texts.n : 0, piece = rows_count(body->rows), sum;
+    struct sums sums;
 
     if (!again->sum || again->kind != AGAIN_TIMES || !texts.n)
         return true;
     if (!eval_whole(eval, where, again->sum, 0, LIMIT_ROWS, "the number of rows", &sum))
         return false;
-    if (sum == rows + above || sum == rows + rows_count(body->rows) || (sum == rows && again->more))
+    sums = compare_sum(again, *n, sum, above, piece, texts.n);
+    if (sums.more && sums.all && above && !again->more) {
+        diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the %lld rows are all of the piece is not said: they are these and those above", sum);
+        diag_hint(eval->diag, "`until piece has %lld rows` counts all", sum);
+    }
+    if (sums.more)
         return true;
-    if (sum == rows) {
+    if (sums.all && above && !again->more) {
         *n -= 1;
         return true;
     }
-    diag_error(eval->diag, CODE_ROW_REPEAT, stmt->span, "these are %lld rows, with those above %lld: not %lld", rows, rows + above, sum);
-    diag_hint(eval->diag, "`.. until piece has %lld rows` counts all of the piece", sum);
+    if (again->sum_of == SUM_TIMES)
+        refuse_sum(eval, stmt, again, *n, above > 0, sum);
+    else
+        refuse_sum(eval, stmt, again, *n * texts.n, again->sum_of == SUM_PIECE ? piece : above, sum);
     return false;
 }
 

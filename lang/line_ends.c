@@ -136,6 +136,8 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
         return ends_row(text + length + strspn(text + length, " \t"));
     if (words_is_name(text, "to"))
         return goes_to(text + length + strspn(text + length, " \t"));
+    if (words_is_name(text, "last") && prose_rows_follow(text + length + strspn(text + length, " \t")))
+        return false;   /* `Last 2 rows form the pattern` */
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (words_is_name(text, words[i]))
             return !prose_fabric_follows(text + length + strspn(text + length, " \t"));

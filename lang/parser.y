@@ -589,6 +589,8 @@ again_once:
 | again_counted
 | again_counted ENDING_ROW              { $$ = $again_counted; $$.ending = (int)$ENDING_ROW.value; }
 | again_counted IN_FABRIC count ROW_WORD { $$ = $again_counted; $$.sum = $count; }
+| again_counted IN_FABRIC count ROW_WORD TOTAL { $$ = $again_counted; $$.sum = $count; $$.sum_of = SUM_PIECE; }
+| again_counted IN_FABRIC count TIMES   { $$ = $again_counted; $$.sum = $count; $$.sum_of = SUM_TIMES; }
 | ',' again_counted                     { $$ = $again_counted; }
 | FOR_PATTERN again_counted             { $$ = $again_counted; }
 | FOR_PATTERN ',' again_counted         { $$ = $again_counted; }

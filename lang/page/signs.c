@@ -14,6 +14,7 @@
 #include "lang/page/prose_line.h"
 #include "lang/page/remarks.h"
 #include "lang/page/row_phrases.h"
+#include "lang/page/sums.h"
 #include "lang/page/words.h"
 
 /* ---- numbers in letters ---- */
@@ -168,47 +169,6 @@ static size_t previous_length(const char *text, size_t at, char plain[static SIG
     end += text[end] == '.';
     snprintf(plain, SIGNS_PLAIN, "as %d", row - 1);
     return strlen(plain) <= end - at ? end - at : 0;
-}
-
-/* `, 6 rows in all`, `(total of 6 rows)`, `. 4 rows`, behind `3 times`: its bytes, and the number; 0: it is none. */
-static size_t rows_in_all(const char *text, int *number, bool *all)
-{
-    static const char *const total[] = {"total", "altogether", "in", "all", "of", "a", "for"};
-    size_t at = 1, n;
-    bool rows = false;
-
-    *number = 0;
-    for (*all = false; text[at] && !strchr("\r\n.,;:)", text[at]); at += n) {
-        n = words_length(text + at);
-        *all |= n && words_find(text + at, total, 4) >= 0 && !words_is(text + at, "in");
-        if (!n && isdigit((unsigned char)text[at]) && !*number && (n = strspn(text + at, "0123456789")) < 6)
-            *number = atoi(text + at);
-        else if (n ? !(rows |= *number && words_are_rows(text + at)) || (!words_are_rows(text + at) && words_find(text + at, total, 7) < 0)
-                   : text[at] != ' ')
-            return 0;
-        n = n ? n : 1;
-    }
-    return rows ? at + (*text == '(' && text[at] == ')') : 0;
-}
-
-/* The same with `in 6 rows` for it; of a row that is like others its numbers say it. */
-static size_t sum_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
-{
-    static const char *const times[] = {"times", "time", "twice", "once", "thrice", "more", "x"};
-    size_t word = at, length, n;
-    int number;
-    bool all;
-
-    while (word > 0 && text[word - 1] == ' ')
-        word--;
-    for (n = word; word > 0 && isalpha((unsigned char)text[word - 1]);)
-        word--;
-    length = n > word && words_find(text + word, times, sizeof times / sizeof *times) >= 0 ? rows_in_all(text + at, &number, &all) : 0;
-    if (!length || !(all || remarks_in_row(text, at)))
-        return 0;
-    if (!remarks_in_row(text, at))
-        snprintf(plain, SIGNS_PLAIN, " in %d rows", number);
-    return strlen(plain) <= length ? length : 0;
 }
 
 /* The blank before `CO 20`, the comma before `R2:`: where a sentence ends and a part of the pattern begins. */
@@ -557,7 +517,7 @@ static const struct sign {
     size_t length;
     const char *plain;
 } signs[] = {
-    {",;.(-", false, .says = sum_length},
+    {",;.(-", false, .says = sums_length},
     {"([", false, .says = caption_length},
     {"tTyYnNsS", true, .says = remarks_said},
     {"<{=|([/:-~\xE2", false, .says = remarks_said},

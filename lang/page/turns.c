@@ -175,7 +175,7 @@ const struct phrase turns_of_pages[] = {
     {"of|from the|#? stitch|st? pattern|patt|pat =#|twice|once|until", ""},
     {"=between|from =the? =*|stars|asterisks a total of =# =times|time", ""},
     {"=times|time =more? ,? for|making? a? total of # pattern|patt? repeats|reps", ""},
-    {"=times|time =more ,? for|making? a? total of # times", ""},
+    {"=times|time =more ,? for|making? a? total of # times", " in # times"},
     {"=times|time =more? ,? for|making? a? total of # rows|rounds|rnds", " in # rows"},
     {"=times|time =more? ,? for|making # rows|rounds|rnds in? total|all|altogether", " in # rows"},
     {"(|[ repeat|rep the? stitches|sts|directions|instructions|part between|inside|within the? *|stars|asterisks|asterisk )|]", ""},
