@@ -325,8 +325,8 @@ bool refused_sentence(struct diag *diag, struct span line)
             size_t length = (clause && !first) || sentences[i].words[clause] != tolower((unsigned char)text[at]) ? 0 : sentence_length(sentences[i].words + clause, text + at);
             char copy[LONGEST];
 
-            if (!length || length >= sizeof copy)
-                continue;
+            if (!length || length >= sizeof copy || (sentences[i].reason == COLOURS && strchr(".\r\n", text[at + length])))
+                continue;       /* `Change to MC.` is of whole rows */
             for (size_t j = 0; j < length; j++)
                 copy[j] = (char)(isspace((unsigned char)text[at + j]) ? ' ' : text[at + j]);
             copy[length] = '\0';

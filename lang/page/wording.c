@@ -18,6 +18,7 @@
 #include "lang/page/signs.h"
 #include "lang/page/turns.h"
 #include "lang/page/words.h"
+#include "lang/page/yarns.h"
 
 enum { WORDING = 32, FEW = 16 };
 
@@ -479,6 +480,17 @@ static void put_word(struct wording *w, size_t at)
         put_stars(w, at);
 }
 
+/* Takes the yarn that whole rows are worked with. */
+static void put_yarn(struct wording *w, size_t at)
+{
+    size_t length = 0;
+
+    if (w->text[at] == '(' || (w->text[at] && strchr("wWuUcCsSjJaAiI", w->text[at]) && begins_word(w, at)))
+        length = yarns_length(w->text, at, begins_sentence(w->text, at));
+    if (length)
+        put_blanks(w, at, length, "");
+}
+
 /* The turns of phrase that begin at a place. */
 static void put_phrases(struct wording *w, size_t at)
 {
@@ -528,6 +540,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size, co
         if (strncmp(w.text + at, "**", 2) == 0 && w.text[at + 2] != '*')
             put_inner(&w, at);
         put_word(&w, at);
+        if (depth == 0)
+            put_yarn(&w, at);
         depth += w.text[at] == '{' ? 1 : w.text[at] == '}' && depth > 0 ? -1 : 0;
         put_sign(&w, at);
         put_phrases(&w, at);
