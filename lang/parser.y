@@ -624,16 +624,18 @@ work_statement:
 | PLAIN_EVERY UNTIL_ROWS count ROW_WORD { $$ = stmt_row(parse, @$, syntax_total(syntax_plain_rows(parse, @$, @1, $1, $count, $ROW_WORD))); }
 | PLAIN_EVERY UNTIL_LENGTH              { $$ = stmt_row(parse, @$, syntax_measured(syntax_plain_rows(parse, @$, @1, $1, syntax_rows_of(parse, @$, $2), SIDE_OPEN), $2)); }
 | PLAIN_EVERY                           { $$ = stmt_row(parse, @$, syntax_as_others(syntax_plain_rows(parse, @$, @1, $1, NULL, SIDE_OPEN))); }
-| WORK in FABRIC for count more ROW_WORD starting
-                                        { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
+| WORK in FABRIC starting[first] for count more ROW_WORD starting[last]
+                                        { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $last ? $last : $first)); }
 | WORK count more ROW_WORD in FABRIC starting
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
+| WORK count[rows] more ROW_WORD[round] in FABRIC STARTING count[sofar] ROW_WORD
+                                        { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $rows, $round, $STARTING)); syntax_rows_so_far(parse, @sofar); (void)$sofar; }
 | WORK count more RIDGES starting       { $$ = stmt_row(parse, @$, syntax_ridges(parse, @$, $count, $starting)); }
-| WORK in FABRIC UNTIL_ROWS count ROW_WORD
-                                        { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN))); }
-| WORK in FABRIC UNTIL_LENGTH           { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $4), SIDE_OPEN, SIDE_OPEN), $4)); }
-| WORK in FABRIC FOR_PATTERN            { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
-| WORK in FABRIC                        { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, SIDE_OPEN))); }
+| WORK in FABRIC starting UNTIL_ROWS count ROW_WORD
+                                        { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting))); }
+| WORK in FABRIC starting UNTIL_LENGTH  { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $5), SIDE_OPEN, $starting), $5)); }
+| WORK in FABRIC starting FOR_PATTERN   { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, $starting))); }
+| WORK in FABRIC starting               { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, $starting))); }
 | WORK in RIB for count more ROW_WORD   { $$ = stmt_again(parse, @$, syntax_rib(syntax_go_on(@$, $count))); }
 | WORK count more ROW_WORD in RIB       { $$ = stmt_again(parse, @$, syntax_rib(syntax_go_on(@$, $count))); }
 | WORK in RIB UNTIL_LENGTH              { $$ = syntax_goes_on(parse, @$, $4); $$->again.rib = true; }

@@ -160,6 +160,12 @@ void syntax_rows_times(struct parse *parse, struct span span)
     diag_hint(parse->diag, "`Knit 1 row. Purl 1 row. Repeat the last 2 rows twice more.`");
 }
 
+void syntax_rows_so_far(struct parse *parse, struct span span)
+{
+    diag_warning(parse->diag, CODE_PROSE, span, "this count of rows is read as text: how many are worked was said before");
+    diag_hint(parse->diag, "it may be that of all rows so far; `Work 6 rows in St st` says those worked here");
+}
+
 struct row syntax_fabric(struct span all, struct fabric fabric, struct expr *count, enum side round, enum side starting)
 {
     return (struct row){.round = round == SIDE_RS, .count = count, .head = all, .body = BODY_FABRIC, .body_span = all,

@@ -53,6 +53,7 @@ struct item *syntax_fabric_stitches(struct parse *, struct span, struct fabric, 
 struct again syntax_work_again(struct row_numbers *, struct again);
 struct again syntax_again(struct row_numbers *, struct expr *last, struct again);
 void syntax_rows_times(struct parse *, struct span);
+void syntax_rows_so_far(struct parse *, struct span);       /* a second count of rows, behind those worked */
 struct again syntax_rib(struct again);
 bool syntax_onwards(const struct parse *, struct span, const struct row_numbers *);    /* `from row 3`, to the last */
 struct row syntax_bare_head(struct parse *, struct span, enum side round);

@@ -173,6 +173,84 @@ static bool is_broken(const char *line, size_t length, const char *next, size_t 
     return (is_begun(line, piece) || (whole && !piece.behind_stop && isalpha((unsigned char)piece.text[piece.length - 1]))) && goes_on(next, rest);
 }
 
+/* ---- over empty lines, too ---- */
+
+/* Whether a row or a statement begins: `row 3`, `1st row`, `purl 2 rows`, `2)`; not the `row.` of `to end of`, nor its `last 2 sts`. */
+static bool begins_work(const char *text)
+{
+    static const char *const word[] = {"next", "rs", "ws", "set", "setup", "foundation", "multiple", "multiples", "mult", "then", "now"};
+    size_t digits = strspn(text, "0123456789"), ordinal = words_ordinal_length(text);
+
+    if (digits)
+        return ordinal ? words_are_rows(words_skip_blanks(text + ordinal)) : text[digits] && strchr(".:)|", text[digits]);
+    return words_row(text) || words_find(text, word, sizeof word / sizeof *word) >= 0 || (!words_are_rows(text) && prose_statement_follows(text));
+}
+
+/* `Rep from * to`, `until work from`: no end of a line. */
+static bool is_cut(struct piece piece)
+{
+    return needs_more(piece) && islower((unsigned char)*last_word(piece)) && !has_sign(piece.text, piece.length, "={}");
+}
+
+/* `end of row.`, `19" [48 cm]`: what goes on behind it. */
+static bool ends_cut(const char *text, size_t length)
+{
+    return (islower((unsigned char)*text) || isdigit((unsigned char)*text)) && !begins_work(text) && !has_sign(text, length, ":={}");
+}
+
+/* `ending on a WS row.`, `until ..`, `twice.`: what begins no sentence. */
+static bool is_rest(const char *text)
+{
+    static const char *const lone[] = {"until", "till", "twice", "thrice", "times"}, *const ending[] = {"ending", "finishing"}, *const with[] = {"with", "on", "after"};
+    const char *next = words_next(text);
+
+    if (words_find(text, ending, 2) >= 0 && words_find(next, with, 3) >= 0)     /* not `ending with 2 rows of rib` */
+        return islower((unsigned char)*text) && !words_behind_number(words_next(next));
+    return islower((unsigned char)*text) && words_find(text, lone, 5) >= 0;
+}
+
+/* `(beg with a K row).`, `(knit all rows)` behind `Work 5 rows St st`. */
+static bool is_bracket_on_rows(const char *text)
+{
+    static const char *const how[] = {"beg", "begin", "beginning", "start", "starting", "end", "ending", "finishing", "knit", "k", "purl", "p"},
+                             *const behind[] = {"with", "on", "after", "all", "every", "each"};
+    size_t close = strcspn(text, ")\r\n"), word = close;
+
+    while (word > 0 && isalpha((unsigned char)text[word - 1]))
+        word--;
+    return *text == '(' && text[close] == ')' && words_are_rows(text + word) && words_find(text + 1, how, sizeof how / sizeof *how) >= 0 &&
+           words_find(words_next(text + 1), behind, 6) >= 0;
+}
+
+/* `Garter` before `st (knit all rows)`: the name of a fabric. */
+static bool names_fabric(struct piece piece, const char *next)
+{
+    static const char *const fabric[] = {"garter", "stockinette", "stocking", "st", "seed", "moss"}, *const stitch[] = {"st", "stitch"};
+
+    return words_find(last_word(piece), fabric, 6) >= 0 && islower((unsigned char)*next) && words_find(next, stitch, 2) >= 0;
+}
+
+/* Whether a line's sentence goes on wherever the next text stands. */
+static bool is_unfinished(const char *line, size_t length, const char *next, size_t rest)
+{
+    struct piece piece = last_sentence(line, length);
+    char last = piece.length ? piece.text[piece.length - 1] : '.';
+
+    if (!rest || has_sign(line, length, "#{}"))
+        return false;
+    if (is_cut(piece) && ends_cut(next, rest))
+        return true;
+    return !strchr(".:;!?", last) && (is_rest(next) || is_bracket_on_rows(next) || names_fabric(piece, next));
+}
+
+/* Where the next line with a text begins; `size`: there is none. */
+static size_t next_text(const char *text, size_t at, size_t size)
+{
+    while (at < size && isspace((unsigned char)text[at]))
+        at++;
+    return at;
+}
+
 const char *joined_plain(struct arena *arena, const char *text, size_t size)
 {
     char *own = NULL;
@@ -181,18 +259,22 @@ const char *joined_plain(struct arena *arena, const char *text, size_t size)
 
     for (size_t at = 0, next; at < size; at = next) {
         size_t length = words_line_within(text + at, size - at), marks = strspn(text + at, " \t-*>"), first, rest;
+        bool adjacent;
 
         depth = words_depth(text + at, length, depth);
         next = at + length + (text[at + length] == '\r');
         next += next < size && (text[next] == '\n' || !text[next]);
-        first = next + strspn(text + next, " \t");
+        first = next_text(text, at + length, size);
+        adjacent = first == next + strspn(text + next, " \t");
         rest = words_line_within(text + first, LONGEST + 1);
-        if (depth > 0 || first + rest > begin + LONGEST || !is_broken(text + at + marks, length - marks, text + first, rest, begin < at)) {
+        if (depth > 0 || first + rest > begin + LONGEST ||
+            !(is_unfinished(text + at + marks, length - marks, text + first, rest) || (adjacent && is_broken(text + at + marks, length - marks, text + first, rest, begin < at)))) {
             begin = next;
             continue;
         }
         own = own ? own : arena_copy(arena, text, size);
-        memset(own + at + length, ' ', next - at - length);
+        memset(own + at + length, ' ', first - at - length);
+        next = first;
     }
     return own ? own : text;
 }
