@@ -168,14 +168,18 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
     return !goes_on(scanner->previous) && !(in_expression ? strchr("?:*/+-&|<>=", *next) != NULL : *next == '=');
 }
 
+bool scanner_is_repeat(const struct scanner *scanner)
+{
+    return scanner->statement == TOKEN_REPEAT_ROWS || scanner->statement == TOKEN_REPEAT_LAST || scanner->statement == TOKEN_REPEAT_THEM ||
+           scanner->statement == TOKEN_REPEAT_STARRED;
+}
+
 bool scanner_repeat_goes_on(const struct scanner *scanner)
 {
     static const char *const words[] = {"until", "till", "for"};
     const char *text = SCANNER_TEXT(scanner);
-    bool repeat = scanner->statement == TOKEN_REPEAT_ROWS || scanner->statement == TOKEN_REPEAT_LAST || scanner->statement == TOKEN_REPEAT_THEM ||
-                  scanner->statement == TOKEN_REPEAT_STARRED;
 
-    if (!repeat || (scanner->previous != TOKEN_NUMBER && scanner->previous != TOKEN_ROW_WORD && scanner->previous != scanner->statement))
+    if (!scanner_is_repeat(scanner) || (scanner->previous != TOKEN_NUMBER && scanner->previous != TOKEN_ROW_WORD && scanner->previous != scanner->statement))
         return false;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (words_is_name(text, words[i]))

@@ -158,6 +158,9 @@ int scanner_close(struct scanner *, char);
 /* Whether a line end here ends the statement. */
 bool scanner_ends_line(struct scanner *, bool in_row, bool in_expression);
 
+/* Whether this statement works rows again. */
+bool scanner_is_repeat(const struct scanner *);
+
 /* Whether the next line says how often the rows named on this one are repeated. */
 bool scanner_repeat_goes_on(const struct scanner *);
 

@@ -113,3 +113,19 @@ int repeats_kind(const char *text, size_t *length)
     *length = before + (n = last_length(word));
     return n || (isdigit((unsigned char)*word) && prose_rows_follow(word)) ? TOKEN_REPEAT_LAST : 0;
 }
+
+size_t repeats_name_length(const char *text)
+{
+    static const char *const behind[] = {"for", "until", "till", "to", "then", "and"}, *const amount[] = {"inch", "inches", "in", "cm", "cms", "few", "several", "some", "many",
+                                                                                                        "half", "about", "total", "number", "another", "long", "length"};
+    const unsigned work = WORDS_ROW | WORDS_TIMES | WORDS_OFTEN | WORDS_EVERY | WORDS_NUMBER | WORDS_NTH | WORDS_AGAIN | WORDS_END | WORDS_PLAIN;
+    size_t at = 0, end = 0, n;
+
+    for (; text[at] && !strchr(".,;\r\n", text[at]) && words_find(text + at, behind, 6) < 0; at += n ? n : 1) {
+        n = words_length(text + at);
+        if (n ? words_are(text + at, work) || words_find(text + at, amount, sizeof amount / sizeof *amount) >= 0 : !strchr(" '-", text[at]))
+            return 0;
+        end = n ? at + n : end;
+    }
+    return end;
+}

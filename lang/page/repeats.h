@@ -12,4 +12,7 @@ int repeats_kind(const char *text, size_t *length);
 /* `rows`, or the `r` of `r4`, that a text begins with: its bytes, or 0. */
 size_t repeats_rows_length(const char *text);
 
+/* ` small basketweave` behind `repeat rows 1-4 for`, a name and no number: its bytes, or 0. */
+size_t repeats_name_length(const char *text);
+
 #endif
