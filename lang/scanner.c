@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/page/explained.h"
 #include "lang/page/page_chart.h"
 #include "lang/page/page_sides.h"
 #include "lang/page/prose.h"
@@ -160,6 +161,21 @@ bool scanner_is_text(struct scanner *scanner)
     size_t at = (size_t)(words_skip_blanks(SCANNER_TEXT(scanner)) - parse->text);
 
     return page_chart_line(parse->chart, scanner->at).source || named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at) || page_sides_line(parse->text + at);
+}
+
+bool scanner_explains(struct scanner *scanner)
+{
+    const char *text = words_skip_blanks(SCANNER_TEXT(scanner));
+    unsigned start = (unsigned)(text - scanner->parse->text);
+
+    if (!explained_fabric(text, scanner->begun))
+        return false;
+    if (scanner->begun && !scanner->section) {
+        diag_warning(scanner->parse->diag, CODE_PROSE, (struct span){scanner->parse->source, start, start + (unsigned)words_line_length(text)},
+                     "this is read as what a name means, not as rows to work");
+        diag_hint(scanner->parse->diag, "`Work 6 rows in garter st` is worked");
+    }
+    return true;
 }
 
 bool scanner_in_row_head(const struct scanner *scanner)

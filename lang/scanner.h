@@ -115,6 +115,9 @@ int scanner_begin_bare(struct scanner *, KNIT_STYPE *, struct span *);
 /* Whether what comes next is a line of the page's chart, the name of the rows below it, or describes a rib. */
 bool scanner_is_text(struct scanner *);
 
+/* Whether it explains a fabric's name; warns where it may be work. */
+bool scanner_explains(struct scanner *);
+
 /* Whether the statement is a row; whether a row's text may begin without a colon. */
 bool scanner_in_row_head(const struct scanner *);
 bool scanner_takes_colon(const struct scanner *);

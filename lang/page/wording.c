@@ -8,6 +8,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page/explained.h"
 #include "lang/page/groups.h"
 #include "lang/page/heads.h"
 #include "lang/page/page_facts.h"
@@ -146,6 +147,7 @@ struct wording {
     const struct page_facts *facts;
     size_t label, nlabel;       /* the words before the rows of this part, `Rib row 1:`, as they were written; 0: none */
     bool labelled;              /* those of a part have such words */
+    bool cast_on;               /* stitches were cast on, or rows named, above */
     size_t heading;             /* where the line begins that was the last heading, `Middle:`; 0: none, or the first line */
     const char *written;
     size_t blank, behind_blank; /* a part of the text without a sign */
@@ -264,7 +266,7 @@ static bool goes_on(struct wording *w, size_t line)
 static void put_head(struct wording *w, size_t at, bool inside)
 {
     bool stop;
-    size_t length = heads_length(w->text + at, inside, &stop), digits = strspn(w->text + at, "0123456789"), cast = heads_cast_on(w->text + at);
+    size_t length = explained_fabric(w->text + at, w->cast_on) ? 0 : heads_length(w->text + at, inside, &stop), digits = strspn(w->text + at, "0123456789"), cast = heads_cast_on(w->text + at);
 
     if (cast) {
         memset(own_text(w) + at, ' ', cast);
@@ -273,6 +275,7 @@ static void put_head(struct wording *w, size_t at, bool inside)
         return;
     }
     if (!inside && (heads_label(w->text + at) || words_row(w->text + at))) {
+        w->cast_on = true;
         w->label = at;
         w->nlabel = heads_label(w->text + at);
         w->labelled |= w->nlabel > 0;
@@ -472,8 +475,10 @@ static void put_word(struct wording *w, size_t at)
 {
     char c = begins_word(w, at) ? (char)tolower((unsigned char)w->text[at]) : '\0';
 
-    if (c == 'c')
+    if (c == 'c') {
+        w->cast_on |= prose_begins_cast_on(w->text + at) > 0;
         put_example(w, at);
+    }
     if ((c == 'r' || c == 'w') && words_one_of("repeat|rep|work", w->text + at))
         put_labelled(w, at);
     if (c == 'r' && named_sign(w->text + at))
