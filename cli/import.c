@@ -182,6 +182,7 @@ enum status command_import(const struct options *options)
         return status;
     status = STATUS_FILES;
     diag_init(&import.diag, &arena);
+    import.diag.errors_only = options->quiet;
     if (options->key)
         import.key = picture_key(&arena, options->key, &why);
     if (options->key && !import.key)

@@ -25,6 +25,7 @@ enum status script_load(struct script *script, const char *path, const struct op
     struct diag diag;
     *script = (struct script){0};
     diag_init(&diag, &script->arena);
+    diag.errors_only = options->quiet;
     script->source = source_read(&script->arena, path, &why);
     if (!script->source) {
         fprintf(stderr, "weft: cannot read '%s': %s\n", path, why);
@@ -33,9 +34,8 @@ enum status script_load(struct script *script, const char *path, const struct op
     struct compile_options compile = options_compile(options);
     script->scene = scene_compile(&script->arena, &diag, script->source, &compile);
     script->compile_s = progress_clock() - begun;
-    if (!script->scene || !options->quiet)
-        diag_print(&diag, stderr, strcmp(options->diagnostics, "json") == 0 ? DIAG_JSON : DIAG_HUMAN,
-                   options_colored(options));
+    diag_print(&diag, stderr, strcmp(options->diagnostics, "json") == 0 ? DIAG_JSON : DIAG_HUMAN,
+               options_colored(options));
     return script->scene ? STATUS_DONE : only_command_line(&diag) ? STATUS_USAGE : STATUS_SCRIPT;
 }
 

@@ -75,7 +75,8 @@ static void record(struct diag *diag, enum severity severity, enum diag_code cod
     diag->open = NULL;
     if (said_before(diag, code, span))
         return;
-    if (diag_takes_more(diag) || code == CODE_LIMIT_ERRORS || (severity == SEVERITY_ERROR && diag->nerrors == 0))
+    if (!(severity == SEVERITY_WARNING && diag->errors_only) &&
+        (diag_takes_more(diag) || code == CODE_LIMIT_ERRORS || (severity == SEVERITY_ERROR && diag->nerrors == 0)))
         message_new(diag, severity, code, span)->text = arena_vprintf(diag->arena, format, arguments);
     ++*count;
 }

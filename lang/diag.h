@@ -64,6 +64,7 @@ struct diag {
     int             nwarnings;
     bool            full;           /* said that there are too many */
     bool            warnings_are_errors;
+    bool            errors_only;    /* warnings are counted, not kept */
     const struct context *context;  /* set and put back by whoever enters and leaves */
 };
 
@@ -76,10 +77,16 @@ void diag_error(struct diag *, enum diag_code, struct span, const char *format, 
 void diag_warning(struct diag *, enum diag_code, struct span, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* How many there are of those that may be shown. */
+static inline int diag_number(const struct diag *diag)
+{
+    return diag->nerrors + (diag->errors_only ? 0 : diag->nwarnings);
+}
+
 /* Whether one more would be shown, or only counted. */
 static inline bool diag_takes_more(const struct diag *diag)
 {
-    return diag->nerrors + diag->nwarnings < LIMIT_MESSAGES;
+    return diag_number(diag) < LIMIT_MESSAGES;
 }
 
 /* Whether the message recorded last is one that will be shown: what to do about it is worth finding out. */

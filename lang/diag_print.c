@@ -248,6 +248,6 @@ void diag_print(const struct diag *diag, FILE *out, enum diag_style style, bool 
             json_message(out, order[i]);
         else
             print_message(out, order[i], color);
-    if (style == DIAG_HUMAN && diag->nerrors + diag->nwarnings > shown)
-        fprintf(out, "%d more not shown\n", diag->nerrors + diag->nwarnings - shown);
+    if (style == DIAG_HUMAN && diag_number(diag) > shown)
+        fprintf(out, "%d more not shown\n", diag_number(diag) - shown);
 }

@@ -2,6 +2,7 @@
  * A word of row text in, a stitch and a count out. */
 #include "lang/vocabulary.h"
 
+#include "lang/page/words.h"
 #include "lang/refused.h"
 #include "lang/rows/rows.h"
 #include "lang/typos.h"
@@ -85,12 +86,48 @@ static struct nearest nearest_stitch(const struct module *module, const char *wo
     return nearest;
 }
 
+/* `kk2`, `xp2`: a letter too many before a stitch with its number. */
+static bool is_doubled(const char *word)
+{
+    size_t stitch = isalpha((unsigned char)*word) ? words_stitch_length(word + 1) : 0;
+
+    return stitch && !word[1 + stitch] && (!strchr("kKpP", *word) || tolower((unsigned char)*word) == tolower((unsigned char)word[1]));
+}
+
+/* A word that is neither a stitch nor one of rows, nor nearly so. */
+static bool is_foreign(struct eval *eval, const struct module *module, const char *word, size_t length)
+{
+    const char *copy = arena_copy(eval->arena, word, length);
+    stitch_id id;
+
+    return length > 1 && !isdigit((unsigned char)word[length]) && !find_own(eval, module, word, length, &id) && !find_plain(word, length, &id) &&
+           !typos_is_word(copy) && !typos_meant(copy) && !nearest_stitch(module, copy).best;
+}
+
+/* `see the picture here`: two foreign words from a place on, or one behind another on the line, are a sentence, not a slip. */
+static bool is_sentence(struct eval *eval, const struct module *module, unsigned start, bool told)
+{
+    const char *text = module->source->text;
+    int n = told;
+
+    for (unsigned at = start, length; n < 2 && at < start + WORDS_REACH && text[at] && !words_ends_line(text[at]) && text[at] != '#'; at += length ? length : 1) {
+        length = (unsigned)words_length(text + at);
+        n += length && is_foreign(eval, module, text + at, length);
+    }
+    return n > 1;
+}
+
 /* What was meant by a word that is no stitch: a stitch, or a word of rows.  Where the word is
  * one of those (`to edn`) the slip may stand behind it; the span becomes the slip's. */
 static const char *meant_by(struct eval *eval, const struct module *module, struct span *span, const char *word, bool *of_rows)
 {
     struct nearest stitch = nearest_stitch(module, word);
-    const char *meant = typos_is_word(word) ? typos_in_line(eval->arena, span) : typos_meant(word);
+    const char *meant;
+
+    *of_rows = false;
+    if (is_doubled(word))
+        return word + 1;
+    meant = typos_is_word(word) ? typos_in_line(eval->arena, span) : typos_meant(word);
 
     *of_rows = meant && !(stitch.best && stitch.distance <= 1);
     return *of_rows ? meant : stitch.best;
@@ -153,12 +190,15 @@ static void unknown(struct eval *eval, const struct module *module, const char *
         diag_hint(eval->diag, "brackets hold it: `(k2, p2) x 2`");
         return;
     }
+    if (is_sentence(eval, module, start, told))
+        meant = NULL;
     if (told && !meant)
         return;
     diag_error(eval->diag, CODE_STITCH, span, "'%.*s' is no stitch", (int)(span.end - span.start), span.source->text + span.start);
     diag_did_you_mean(eval->diag, meant);
     if (!meant)
-        diag_hint(eval->diag, "stitches are k, p, and your own: `stitch T { kx = .. }`");
+        diag_hint(eval->diag, is_sentence(eval, module, start, told) ? "a sentence stands on a line of its own, or behind `#`"
+                                                                     : "stitches are k, p, and your own: `stitch T { kx = .. }`");
     if (!told && (of_rows || !meant))
         eval->refused = diag_line_around(span);
 }

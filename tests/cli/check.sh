@@ -24,6 +24,17 @@ out 'of one stitch' ': 1 stitch x 2 rows, 2 knit'
 
 exits 0 'quietly' "$WEFT" check -q "$work/good.knit"
 empty 'prints nothing' "$work/out"
+printf 'Cast on 6 sts\nRow 1: knit\nRow 2: purl\nA line of text behind the rows of a page.\nRepeat rows 1-2\n' >"$work/doubtful.knit"
+exits 0 'a doubtful one' "$WEFT" check "$work/doubtful.knit"
+err 'has warnings' 'warning: .*W0902'
+exits 0 'quietly' "$WEFT" check -q "$work/doubtful.knit"
+empty 'has none' "$work/err"
+sed '$aRow 3: k5' "$work/doubtful.knit" >"$work/wrong.knit"
+exits 3 'one with an error, too, quietly' "$WEFT" check -q "$work/wrong.knit"
+err 'has the error' 'error: .*E0303'
+check 'and no warning' sh -c '! grep -q warning "$1"' - "$work/err"
+exits 3 'a doubtful one, quietly, where warnings are errors' "$WEFT" check -q -W error "$work/doubtful.knit"
+err 'has them' 'error: .*W0904'
 
 exits 3 'a bad script' "$WEFT" check "$work/short.knit"
 err 'its error has a place' 'short.knit:2:.*error'
