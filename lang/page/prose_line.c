@@ -159,7 +159,7 @@ static bool is_nearly_statement(const char *text)
     size_t n = words_length(text);
     struct nearest nearest;
 
-    if (n < 3 || n >= sizeof word || text[n] == '-' || words_is(text, "left") || is_short_word(text) || words_find(text, sentence_word, nsentence_words) >= 0)
+    if (n < 3 || n >= sizeof word || text[n] == '-' || words_is(text, "left") || (words_is(text, "materials") && !line_has(text, "{")) || is_short_word(text) || words_find(text, sentence_word, nsentence_words) >= 0)
         return false;
     memcpy(word, text, n);
     nearest = nearest_to(word);

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "lang/page/headings.h"
 #include "lang/page/prose.h"
 #include "lang/page/repeats.h"
 #include "lang/page/words.h"
@@ -117,6 +118,74 @@ static void part_rows(char *line, size_t length)
     }
 }
 
+/* ---- the cast-on behind a page's materials ---- */
+
+/* Whether a full stop is the last sign before. */
+static bool behind_stop(const char *line, size_t at)
+{
+    while (at > 0 && strchr(" \t", line[at - 1]))
+        at--;
+    return at > 0 && line[at - 1] == '.';
+}
+
+/* `: Cast on 60 stitches`, `DISHCLOTH Cast on 46 sts`: whether a sentence may begin there, behind a mark or a heading's word. */
+static bool begins_sentence(const char *line, size_t at)
+{
+    size_t n = at, word;
+
+    while (n > 0 && strchr(" \t", line[n - 1]))
+        n--;
+    for (word = n; word > 0 && isupper((unsigned char)line[word - 1]);)
+        word--;
+    return n < at && n > 0 && (strchr(".:!", line[n - 1]) || (n - word > 2 && (word == 0 || strchr(" \t", line[word - 1]))));
+}
+
+/* Behind `first row`, `1st row`; NULL: another text. */
+static const char *behind_nth(const char *text)
+{
+    size_t ordinal = words_ordinal_length(text);
+    const char *rows = ordinal ? words_skip_blanks(text + ordinal) : words_are(text, WORDS_NTH) ? words_next(text) : NULL;
+
+    return rows && words_are_rows(rows) ? rows + words_length(rows) : NULL;
+}
+
+/* Whether a row begins, `Row 1: k2`, `First row--`, or several, `Knit 4 rows`. */
+static bool works_rows(const char *text)
+{
+    const char *nth = behind_nth(text);
+
+    if (nth)
+        return !isalnum((unsigned char)*words_skip_blanks(nth));
+    return words_row(text) ? prose_pattern_follows(text) : words_are(text, WORDS_PLAIN | WORDS_WORK) && prose_rows_follow(words_next(text));
+}
+
+/* Whether a row is named among so many bytes, or, `worked`, is worked there. */
+static bool has_row(const char *line, size_t length, bool worked)
+{
+    for (size_t at = 0; at < length; at++)
+        if ((at == 0 || strchr(" \t.", line[at - 1])) && (worked ? works_rows(line + at) : behind_nth(line + at) || words_row(line + at)))
+            return true;
+    return false;
+}
+
+/* Where a line whose beginning asks for no work has its cast-on, and rows behind it; 0: nowhere. */
+static size_t cast_on_within(const char *line, size_t length)
+{
+    size_t heading;
+    bool prose = prose_reads(line, false) && !headings_find(line, &heading);    /* whose reader finds it behind a stop */
+
+    for (size_t at = 1; at < length && !prose_statement_follows(line); at++) {
+        size_t on = line[at] == 'C' && begins_sentence(line, at) ? prose_begins_cast_on(line + at) : 0;
+        const char *sts = on ? words_behind_number(words_skip_blanks(line + at + on)) : NULL;
+
+        if (sts && words_are_stitches(sts))
+            return !(prose && behind_stop(line, at)) && !has_row(line, at, false) && has_row(sts, length - (size_t)(sts - line), true) ? at : 0;
+    }
+    return 0;
+}
+
+/* ---- lines ---- */
+
 /* How many heads of rows stand on a line. */
 static int count_heads(const char *line, size_t length)
 {
@@ -127,16 +196,29 @@ static int count_heads(const char *line, size_t length)
     return n;
 }
 
+/* Whether the stitches are cast on there, or the first row is worked. */
+static bool begins_work(const char *line)
+{
+    line += strspn(line, " \t*_-");
+    return prose_begins_cast_on(line) || words_row(line);
+}
+
 const char *run_on_plain(struct arena *arena, const char *text, size_t size)
 {
     char *own = NULL;
+    bool begun = false;     /* a cast-on or a row came before */
 
-    for (size_t at = 0, length; at < size; at += length + 1) {
+    for (size_t at = 0, length, cast_on; at < size; at += length + 1) {
         length = words_line_within(text + at, size - at);
-        if (length > WORDS_LINE || count_heads(text + at, length) < 2)
+        begun |= begins_work(text + at);
+        cast_on = begun || length > WORDS_LINE ? 0 : cast_on_within(text + at, length);
+        if (!cast_on && (length > WORDS_LINE || count_heads(text + at, length) < 2))
             continue;
         own = own ? own : arena_copy(arena, text, size);
-        part_rows(own + at, length);
+        if (cast_on)
+            own[at + cast_on - 1] = '\n';
+        part_rows(own + at + cast_on, length - cast_on);
+        begun = true;
     }
     return own ? own : text;
 }
