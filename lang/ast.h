@@ -153,8 +153,9 @@ struct row {
 /* Repeating rows is working them again: n times means n more times. */
 enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGAIN_ROWS, AGAIN_TOTAL_ROWS, AGAIN_LENGTH, AGAIN_PART_LENGTH };
 
-/* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. `ending`: the row it ends with. */
-struct measure { int rows; bool part; int ending; };
+/* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. `ending`: the row it ends with.
+ * `counted`: the rows themselves are said. */
+struct measure { int rows; bool part; int ending; bool counted; };
 
 /* `these 4 rows form the pattern`: the last n; n 0: those with numbers from first to last. */
 struct told { int n, first, last; };

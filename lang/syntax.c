@@ -205,15 +205,15 @@ struct row syntax_as_others(struct row row)
     return row;
 }
 
-/* A knitter ends with a wrong-side row. */
-static int whole_ridges(int rows)
+/* A knitter ends with a wrong-side row, where only a length is said. */
+static int whole_ridges(struct measure measure)
 {
-    return rows + rows % 2;
+    return measure.counted ? measure.rows : measure.rows + measure.rows % 2;
 }
 
 struct expr *syntax_rows_of(struct parse *parse, struct span span, struct measure measure)
 {
-    return measure.rows ? expr_number(parse, span, whole_ridges(measure.rows), 0) : syntax_two_rows(parse, span);
+    return measure.rows ? expr_number(parse, span, whole_ridges(measure), 0) : syntax_two_rows(parse, span);
 }
 
 struct row syntax_measured(struct row row, struct measure measure)
@@ -410,7 +410,7 @@ void syntax_first_size(struct parse *parse, struct span sizes)
 
 struct stmt *syntax_goes_on(struct parse *parse, struct span span, struct measure measure)
 {
-    struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure.rows), measure.part, measure.ending});
+    struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure), measure.part, measure.ending, measure.counted});
 
     again.which = AGAIN_GO_ON;
     return stmt_again(parse, span, again);

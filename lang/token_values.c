@@ -345,7 +345,10 @@ void scanner_measure(struct scanner *scanner, KNIT_STYPE *value, struct span spa
     rows = ceil(length * scanner->parse->facts.gauge - 1e-6);
     value->measure.rows = rows > 0 && rows <= LIMIT_ROWS ? (int)rows : 0;
     value->measure.ending = lengths_ending(phrase);
-    if (value->measure.rows == 0)
+    value->measure.counted = value->measure.rows == 0 && lengths_counted(phrase);
+    if (value->measure.counted)
+        value->measure.rows = lengths_counted(phrase);
+    if (value->measure.rows == 0 || value->measure.counted)
         return;
     diag_warning(scanner->parse->diag, CODE_LENGTH, span, "by the gauge this text states, this length is %d row%s", value->measure.rows,
                  value->measure.rows == 1 ? "" : "s");

@@ -4,6 +4,7 @@
 
 #include "lang/page/words.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 enum { REGION = 400 };          /* bytes that a gauge is looked for behind its word */
@@ -248,4 +249,63 @@ double lengths_wanted(const char *phrase, bool *part)
 
     *part = !says(phrase, until, 2) || says(phrase, of_part, sizeof of_part / sizeof *of_part);
     return says(phrase, not_it, sizeof not_it / sizeof *not_it) ? 0 : find_length(phrase, phrase + strlen(phrase), false);
+}
+
+/* ---- rows counted behind a length ---- */
+
+/* Whether `14 inches`, `2" [5 cm]` ends before a place. */
+static bool ends_length(const char *text, size_t at)
+{
+    double millimetres;
+    size_t unit;
+
+    while (at > 0 && text[at - 1] == ' ')
+        at--;
+    if (at > 0 && strchr(")]", text[at - 1])) {
+        for (at--; at > 0 && !strchr("([\r\n", text[at]);)
+            at--;
+        return lengths_follow(text + at + 1) && ends_length(text, at);
+    }
+    for (unit = at; unit > 0 && isalpha((unsigned char)text[unit - 1]);)
+        unit--;
+    unit -= unit == at && at > 2 ? ((unsigned char)text[at - 1] >= 0x80 ? 3 : 1 + (text[at - 1] == '\'' && text[at - 2] == '\'')) : 0;
+    if (unit_at(text + unit, &millimetres) != text + at)
+        return false;
+    while (unit > 0 && text[unit - 1] == ' ')
+        unit--;
+    return unit > 0 && (isdigit((unsigned char)text[unit - 1]) || (unsigned char)text[unit - 1] >= 0x80);
+}
+
+/* Behind words of a list and the blanks and stops between. */
+static const char *skip_list(const char *text, const char *const *word, int n)
+{
+    for (text += strspn(text, " ~"); words_find(text, word, n) >= 0; text += strspn(text, " .~"))
+        text += words_length(text);
+    return text;
+}
+
+size_t lengths_count(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const about[] = {"about", "around", "approximately", "approx", "roughly", "or", "so", "ca", "that", "is"}, *const total[] = {"in", "total", "all", "altogether", "or", "so"};
+    const char *number = skip_list(text + at + 1, about, 10), *rows = isdigit((unsigned char)*number) ? words_behind_number(number) : NULL, *end;
+    char close = text[at] == '(' ? ')' : text[at] == '[' ? ']' : '\0';
+
+    if (!rows || !words_are_rows(rows) || words_number(number) > 99999 || !ends_length(text, at))
+        return 0;
+    end = skip_list(words_skip_blanks(rows + words_length(rows)), total, 6);
+    if (close ? *end != close : *end && !strchr(".,;\r\n", *end))
+        return 0;
+    end += close != 0;
+    snprintf(plain, SIGNS_PLAIN, "(%d rows)", words_number(number));
+    return strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
+}
+
+int lengths_counted(const char *phrase)
+{
+    const char *open = phrase;
+
+    for (; (open = strchr(open, '(')); open++)
+        if (isdigit((unsigned char)open[1]) && words_are_rows(words_behind_number(open + 1)) && ends_length(phrase, (size_t)(open - phrase)))
+            return words_number(open + 1);
+    return 0;
 }

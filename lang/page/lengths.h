@@ -4,6 +4,9 @@
 #define WEFT_LENGTHS_H
 
 #include <stdbool.h>
+#include <stddef.h>
+
+#include "lang/page/signs.h"
 
 /* Rows per millimetre by the gauge a text states, "20 sts and 28 rows = 4 in"; 0: none. */
 double lengths_gauge(const char *text);
@@ -14,6 +17,12 @@ bool lengths_follow(const char *text);
 
 /* The length that rows are worked to or, `part`, for, in millimetres; 0: none is said. `phrase` ends with its text. */
 double lengths_wanted(const char *phrase, bool *part);
+
+/* The bytes of `(about 8 rows)`, `, 8 rows` behind a length, and `(8 rows)` for it; 0: it is none. */
+size_t lengths_count(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
+/* The rows that such a count says in a phrase; 0: none. */
+int lengths_counted(const char *phrase);
 
 /* The row it ends with, "until piece measures 8 in, ending with row 2", or its side; 0: none is said, or a choice of them. */
 enum { ENDING_RS = -1, ENDING_WS = -2 };

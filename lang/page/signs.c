@@ -10,6 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page/lengths.h"
 #include "lang/page/prose.h"
 #include "lang/page/prose_line.h"
 #include "lang/page/remarks.h"
@@ -518,6 +519,7 @@ static const struct sign {
     const char *plain;
 } signs[] = {
     {",;.(-", false, .says = sums_length},
+    {",([", false, .says = lengths_count},
     {"([", false, .says = caption_length},
     {"tTyYnNsS", true, .says = remarks_said},
     {"<{=|([/:-~\xE2", false, .says = remarks_said},

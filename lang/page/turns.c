@@ -238,6 +238,13 @@ const struct phrase turns_of_pages[] = {
     {"=in|ins|inches|cm|cms|long|length|size|needed|required . end|ending|finish with|on|after =row|round|rnd =#", ", end with"},
     {"^ end|ending|finish with|on|after a rs|ws|right|wrong -? side? row|rnd|round =.?", ""},
 
+    {"=st|stitch|stockinette|garter , =( =one|every|alternate =row|rows|knit|k", ""},
+    {"=st|stitch|stockinette|garter , =( =knit|k|purl =one|every|each|all|1", ""},
+    {"=every|each =row . when =the|your|this? =piece|work|it|scarf|square|swatch|cloth|blanket|strip =measures =#", "till"},
+    {"=in =pattern|patt|pat . when =the|your|this? =piece|work|it|scarf|square|swatch|cloth|blanket|strip =measures =#", "till"},
+    {"=garter|seed|moss|stockinette|stocking|st =st|stitch . when =the|your|this? =piece|work|it|scarf|square|swatch|cloth|blanket|strip =measures =#", "till"},
+    {"=repeat|rep =rows|rounds|rnds =# =-|to|and|through =# . when =the|your|this? =piece|work|it|scarf|square|swatch|cloth|blanket|strip =measures =#", "till"},
+    {"=repeat|rep =these|last|the =#? =rows|rounds|rnds . when =the|your|this? =piece|work|it|scarf|square|swatch|cloth|blanket|strip =measures =#", "till"},
     {"=knit|k =# =rows in? garter|g st|stitch?", ""},
     {"knit =# =rows =in? =moss|seed|stockinette|stocking", "work"},
     {"=knit|purl|k|p =all? =the? =k|p|knit|purl|knits|purls =sts|stitches|st? as they appear|come|lie|present|face you|themselves|up?", ""},
