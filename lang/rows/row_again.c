@@ -321,6 +321,7 @@ void rows_again(struct row_list *list, struct span span, struct row_texts texts,
     /* The order grows, and `texts` may lie in it. */
     memcpy(text, texts.text, (size_t)n * sizeof *text);
     row_list_begin_on_side_of(list, text[0]);
+    row_list_doubt_side(list, text, n);
     before = list->norder;
     for (long long pass = 0; times ? pass < times : list->norder < total; pass++)
         for (int i = 0; i < n && (times || list->norder < total); i++) {

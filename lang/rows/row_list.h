@@ -91,6 +91,9 @@ enum side row_list_side(const struct row_list *, int i);
 /* Reports a text marked with the other side; `repeated`: so many rows are, which brings it there; 0: none. */
 void row_list_check_side(struct row_list *, const struct row_text *, int i, int repeated);
 
+/* Warns of a row 1 that falls on the wrong side, where no side is said of any row and the rows are not the same from either. */
+void row_list_doubt_side(struct row_list *, struct row_text *const *text, int n);
+
 /* Where no row has decided on which side the work begins, the one worked next does. */
 void row_list_begin_on_side_of(struct row_list *, const struct row_text *);
 

@@ -118,6 +118,35 @@ static struct span behind_gap(const struct row_list *list, int i)
     return i < list->npending ? list->pending[i]->head : list->span;
 }
 
+/* Whether it is knit alone. */
+static bool is_all_knit(const struct row_text *text)
+{
+    const struct work *work = text->work;
+
+    return work && !text->on_ws && !work->next && !work->child && work->nruns == 1 && work->run->stitch == STITCH_K;
+}
+
+/* Rows of one text, or all knit, show the same whichever side is in front. */
+static bool are_alike(struct row_text *const *text, int n)
+{
+    for (int i = 1; i < n; i++)
+        if (!text[i] || (text[i] != text[0] && !(is_all_knit(text[i]) && is_all_knit(text[0]))))
+            return false;
+    return true;
+}
+
+void row_list_doubt_side(struct row_list *list, struct row_text *const *text, int n)
+{
+    if (list->start || list->round || list->front || list->failed || list->norder % 2 == 0 || !n || !text[0] || text[0]->label != 1 || are_alike(text, n))
+        return;
+    for (int i = 0; i < list->norder; i++)
+        if (list->order[i] == text[0])
+            return;
+    diag_warning(list->diag, CODE_WRONG_SIDE, text[0]->head, "row 1 is worked on the wrong side: %d row%s before it", list->norder,
+                 list->norder == 1 ? " stands" : "s stand");
+    diag_hint(list->diag, "`Row 1 (RS)` if it is meant for the right side");
+}
+
 /* The pending rows once, gaps filled by `all .. rows`. */
 void rows_work(struct row_list *list)
 {
@@ -131,6 +160,8 @@ void rows_work(struct row_list *list)
         n = filler_for(list, list->first, row_list_side(list, list->norder)) == filler_for(list, list->first + 1, row_list_side(list, list->norder + 1)) ? 1 : 2;
     else if (n && (list->norder + n) % 2 && filler_for(list, list->first + n, row_list_side(list, list->norder + n)))
         n++;
+    if (!list->filler)
+        row_list_doubt_side(list, list->pending, list->npending);
     for (int i = 0; i < n && !list->failed; i++) {
         int label = list->first + i;
         struct row_text *text = i < list->npending ? list->pending[i] : NULL;
