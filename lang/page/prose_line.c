@@ -281,8 +281,24 @@ static bool has_file_name(const char *text)
     return false;
 }
 
+/* `[Editor's note: I might knit it wider.]`: a line in square brackets that tells its reader something, and asks for nothing. */
+static bool is_bracketed_note(const char *text)
+{
+    static const char *const teller[] = {"note", "notes", "editor", "ed", "nb", "tip", "i", "we", "you", "my", "our", "your", "the", "this", "these", "it", "if", "when", "there"};
+    size_t close = strcspn(text, "]*{}\r\n"), colon = strcspn(text, ":]\r\n");
+
+    if (*text != '[' || text[close] != ']' || !prose_line_ends(text + close + 1) || words_find(text + 1, teller, sizeof teller / sizeof *teller) < 0)
+        return false;
+    for (size_t at = 1; at < close; at += words_length(text + at) + (words_length(text + at) == 0))
+        if (words_are(text + at, WORDS_AGAIN | WORDS_TIMES | WORDS_OFTEN))
+            return false;
+    return !has_stitches(text) && !(text[colon] == ':' && prose_statement_follows(text + colon + 1));
+}
+
 bool prose_reads(const char *text, bool loose)
 {
+    if (is_bracketed_note(text))
+        return true;
     text += *text == '(' && isupper((unsigned char)text[1]) && count_words(text) >= SENTENCE;
     if (words_line_within(text, WORDS_LINE + 1) > WORDS_LINE || line_has(text, "{}") || prose_line_is_mistyped(text) || is_repeat_until(text))
         return false;
