@@ -213,7 +213,11 @@ static int whole_ridges(struct measure measure)
 
 struct expr *syntax_rows_of(struct parse *parse, struct span span, struct measure measure)
 {
-    return measure.rows ? expr_number(parse, span, whole_ridges(measure), 0) : syntax_two_rows(parse, span);
+    struct expr *two = measure.rows ? NULL : syntax_two_rows(parse, span);
+
+    if (two)
+        diag_hint(parse->diag, "a line with a gauge, `Gauge: 28 rows = 10 cm`, says how many rows a length is");
+    return two ? two : expr_number(parse, span, whole_ridges(measure), 0);
 }
 
 struct row syntax_measured(struct row row, struct measure measure)

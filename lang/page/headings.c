@@ -23,7 +23,7 @@ static const char *const of_text[] = {
     "special stitche", "stitch count", "stitch gauge", "stitch glossary", "stitch guide", "stitch key", "stitch multiple", "stitch pattern",
     "stitche", "supplie", "swatch", "technique", "tension", "term", "tip", "tool", "uses", "what you need", "what you will need", "yarn",
     "abbreviations used", "material list", "materials list", "materials needed", "stitches used", "supplies needed", "supply list", "techniques used",
-    "what you'll need", "you'll need", "you need", "you will need",
+    "what you'll need", "you'll need", "you need", "you will need", "tension square", "tension swatch", "gauge square", "gauge swatch",
 };
 
 /* The bytes of a phrase that a text begins with, blanks of any kind between its words; 0: it does not. */

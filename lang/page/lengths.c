@@ -152,8 +152,8 @@ static const char *paragraph_end(const char *text)
     return most;
 }
 
-/* In what stands behind "gauge", on its lines. */
-static double gauge_within(const char *text, const char *end)
+/* In what stands behind "gauge", on its lines; `place` is where its rows stand. */
+static double gauge_within(const char *text, const char *end, const char **place)
 {
     const char *line = text;
     double rows, length;
@@ -164,28 +164,33 @@ static double gauge_within(const char *text, const char *end)
         if (strchr("\r\n", *at))
             line = at + 1;
         length = behind && words_are_rows(words_skip_blanks(behind)) ? length_of_rows(line, behind, end) : 0;
+        *place = at;
         if (length > 0)
             return rows / length;
     }
     return 0;
 }
 
-double lengths_gauge(const char *text)
+double lengths_gauge(const char *text, size_t *from, size_t *to)
 {
     static const char *const word[] = {"gauge", "tension"};
+    const char *first = text, *place = text;
     double gauge = 0;
 
     while (*text && gauge == 0) {
         size_t length = words_length(text);
         bool here = words_find(text, word, sizeof word / sizeof *word) >= 0;
 
+        if (here)
+            *from = (size_t)(text - first);
         text += length ? length : 1;
         if (here) {
             text += strspn(text, " \t:*_.\r\n");
-            gauge = gauge_within(text, paragraph_end(text));
+            gauge = gauge_within(text, paragraph_end(text), &place);
             text = paragraph_end(text);
         }
     }
+    *to = (size_t)(place - first);
     return gauge;
 }
 

@@ -8,8 +8,9 @@
 
 #include "lang/page/signs.h"
 
-/* Rows per millimetre by the gauge a text states, "20 sts and 28 rows = 4 in"; 0: none. */
-double lengths_gauge(const char *text);
+/* Rows per millimetre by the gauge a text states, "Gauge: 20 sts and 28 rows = 4 in", and from where to where: up to
+ * the number of rows; 0: none. */
+double lengths_gauge(const char *text, size_t *from, size_t *to);
 
 /* Whether a phrase says a length; whether a text goes on with one, "2 in", or up to one, "until it measures 2 in". */
 bool lengths_said(const char *phrase);

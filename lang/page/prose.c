@@ -160,14 +160,24 @@ static bool keeps_edges(const char *text)
     return false;
 }
 
+/* Whether a line states the gauge that lengths are counted by. */
+static bool states_gauge(const struct scanner *scanner, const char *text, size_t length)
+{
+    const struct page_facts *facts = &scanner->parse->facts;
+    size_t at = (size_t)(text - scanner->parse->text);
+
+    return facts->gauge > 0 && at <= facts->gauge_to && at + length > facts->gauge_from;
+}
+
 /* How many lines from here on read as prose, the first as far as it goes; `end` is behind the last. */
-static int block_length(const char *text, size_t length, const char **end)
+static int block_length(const struct scanner *scanner, const char *text, size_t length, const char **end)
 {
     int n = 1;
 
     for (*end = text + length; n <= LIMIT_TEXTS && strchr("\r\n", **end); n++) {
         text = prose_line_next(text);
-        if (!(*text && !is_worked(text) && !prose_statement_follows(text) && !is_labelled_statement(text) && !prose_line_is_keyword(text) &&
+        if (states_gauge(scanner, text, words_line_length(text)) ||
+            !(*text && !is_worked(text) && !prose_statement_follows(text) && !is_labelled_statement(text) && !prose_line_is_keyword(text) &&
               !prose_is_keyword(text) && prose_reads(text, false)))
             break;
         *end = text + words_line_length(text);
@@ -240,9 +250,9 @@ bool scanner_prose(struct scanner *scanner)
     }
 
     /* Nothing says what this is: it is named, once for lines that follow each other. */
-    if (again)
+    if (again || states_gauge(scanner, text, span.end - span.start))
         return true;
-    lines = block_length(text, prose_length(scanner, text), &end);
+    lines = block_length(scanner, text, prose_length(scanner, text), &end);
     scanner->prose_end = (unsigned)(end - parse->text);
     if (lines == 1)
         diag_warning(parse->diag, CODE_PROSE, span, "this line is read as text, not as a part of the pattern");

@@ -50,6 +50,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/json.knit \
     tests/golden/json_file.knit \
     tests/golden/length.knit tests/golden/length.expected \
+    tests/golden/length_open.knit tests/golden/length_open.expected \
     tests/golden/long_line.knit \
     tests/golden/many.knit \
     tests/golden/motif_frames.knit \
