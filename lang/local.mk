@@ -14,7 +14,7 @@ liblang_a_SOURCES = lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c 
     lang/rows/row_misfit.c lang/rows/row_order.c lang/rows/rows.h lang/rows/rows.c \
     lang/page/explained.h lang/page/explained.c lang/page/groups.h lang/page/groups.c lang/page/headings.h lang/page/headings.c lang/page/heads.h lang/page/heads.c lang/page/joined.h \
     lang/page/joined.c lang/page/lengths.h lang/page/lengths.c lang/page/lettered.h lang/page/lettered.c \
-    lang/page/listed.h lang/page/listed.c lang/page/marks.h lang/page/marks.c lang/page/named.h lang/page/named.c \
+    lang/page/listed.h lang/page/listed.c lang/page/markers.h lang/page/markers.c lang/page/marks.h lang/page/marks.c lang/page/named.h lang/page/named.c \
     lang/page/page_chart.h lang/page/page_chart.c lang/rows/page_fabric.c lang/page/page_facts.h \
     lang/page/page_facts.c lang/page/page_key.h lang/page/page_key.c lang/page/page_sides.h lang/page/page_sides.c \
     lang/page/phrases.h lang/page/phrases.c lang/page/printed.h lang/page/printed.c lang/page/printed_heads.c \
