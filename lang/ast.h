@@ -153,9 +153,9 @@ struct row {
 /* Repeating rows is working them again: n times means n more times. */
 enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGAIN_ROWS, AGAIN_TOTAL_ROWS, AGAIN_LENGTH, AGAIN_PART_LENGTH };
 
-/* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. `ending`: the row it ends with.
- * `counted`: the rows themselves are said. */
-struct measure { int rows; bool part; int ending; bool counted; };
+/* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. `ending`, `other`: the row it
+ * ends with, or one of two. `counted`: the rows themselves are said. */
+struct measure { int rows; bool part; int ending, other; bool counted; };
 
 /* `these 4 rows form the pattern`: the last n; n 0: those with numbers from first to last. */
 struct told { int n, first, last; };
@@ -187,6 +187,7 @@ struct again {
     bool                several;        /* names are mentioned */
     bool                rib;            /* they are to be one */
     int                 ending;         /* "ending with row 2"; 0: not said */
+    int                 other_stop;     /* "ending with row 2 or row 4"; 0: no choice */
     int                 stop;           /* the same, said of a length: where its last repeat stops; or on which side (lengths.h) */
     struct expr        *n, *sum;        /* sum: "3 times, 6 rows in all"; NULL: not said */
     enum sum_of         sum_of;

@@ -46,12 +46,12 @@ static int place_among(struct body *body, const struct again *again, const struc
     return before;
 }
 
-/* So many rows, or the fewest more up to the one that a length ends with; 0: none is named, or it is not among them.
+/* So many rows, or the fewest more up to the row of a number; 0: it is not among them.
  * Rows of one text are told apart by their numbers, which are their places, or by how many are before them. */
-static long long rows_to_stop(struct body *body, const struct again *again, struct row_texts texts, long long n)
+static long long rows_to_row(struct body *body, const struct again *again, struct row_texts texts, long long n, int stop)
 {
-    const struct row_text *last = again->stop > 0 ? rows_find_of(body->rows, again->from, again->stop) : NULL;
-    int at = last ? again->stop - texts.text[0]->label : 0, others = last ? place_among(body, again, last, again->stop) : 0, before = -1;
+    const struct row_text *last = stop > 0 ? rows_find_of(body->rows, again->from, stop) : NULL;
+    int at = last ? stop - texts.text[0]->label : 0, others = last ? place_among(body, again, last, stop) : 0, before = -1;
     bool by_place = last && again->which != AGAIN_STARRED && at >= 0 && at < texts.n && texts.text[at] == last;
 
     for (int place = (int)((n - 1) % texts.n); last && place >= 0 && texts.text[place] == last; place--)
@@ -64,6 +64,14 @@ static long long rows_to_stop(struct body *body, const struct again *again, stru
             return end;
     }
     return 0;
+}
+
+/* The same to the row that a length ends with, or to the first that comes of two; 0: none is named. */
+static long long rows_to_stop(struct body *body, const struct again *again, struct row_texts texts, long long n)
+{
+    long long stop = rows_to_row(body, again, texts, n, again->stop), other = rows_to_row(body, again, texts, n, again->other_stop);
+
+    return !stop || (other && other < stop) ? other : stop;
 }
 
 /* How many rows of the last repeat there are up to the one a length ends with; 0: it is whole, or none is named. */

@@ -230,8 +230,8 @@ struct row syntax_measured(struct row row, struct measure measure)
 struct again syntax_again_until(struct parse *parse, struct span span, struct measure measure)
 {
     if (!measure.rows)
-        return (struct again){.kind = AGAIN_PATTERN, .open = true, .stop = measure.ending};
-    return (struct again){.kind = measure.part ? AGAIN_PART_LENGTH : AGAIN_LENGTH, .n = expr_number(parse, span, measure.rows, 0), .stop = measure.ending};
+        return (struct again){.kind = AGAIN_PATTERN, .open = true, .stop = measure.ending, .other_stop = measure.other};
+    return (struct again){.kind = measure.part ? AGAIN_PART_LENGTH : AGAIN_LENGTH, .n = expr_number(parse, span, measure.rows, 0), .stop = measure.ending, .other_stop = measure.other};
 }
 
 struct expr *syntax_two_rows(struct parse *parse, struct span span)
@@ -414,7 +414,7 @@ void syntax_first_size(struct parse *parse, struct span sizes)
 
 struct stmt *syntax_goes_on(struct parse *parse, struct span span, struct measure measure)
 {
-    struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure), measure.part, measure.ending, measure.counted});
+    struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure), measure.part, measure.ending, measure.other, measure.counted});
 
     again.which = AGAIN_GO_ON;
     return stmt_again(parse, span, again);

@@ -344,7 +344,7 @@ void scanner_measure(struct scanner *scanner, KNIT_STYPE *value, struct span spa
 
     rows = ceil(length * scanner->parse->facts.gauge - 1e-6);
     value->measure.rows = rows > 0 && rows <= LIMIT_ROWS ? (int)rows : 0;
-    value->measure.ending = lengths_ending(phrase);
+    value->measure.ending = lengths_ending(phrase, &value->measure.other);
     value->measure.counted = value->measure.rows == 0 && lengths_counted(phrase);
     if (value->measure.counted)
         value->measure.rows = lengths_counted(phrase);

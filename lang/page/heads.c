@@ -122,6 +122,33 @@ static size_t first_row_length(const char *text)
     return (words_is(text + at, "cast") || words_is(text + at, "co")) && prose_pattern_follows(text + at) ? at : 0;
 }
 
+/* How long `Row 2 (WS): purl and ` is, `Next row: `, before `bind off`, which is no row; or 0. Of some stitches it is refused. */
+static size_t bind_off_length(const char *text)
+{
+    static const char *const next[] = {"next", "last", "final"}, *const off[] = {"bind", "cast", "binding", "casting"}, *const and[] = {"and", "while", "all", "sts", "stitches"},
+                             *const some[] = {"but", "except", "first", "next", "last", "until", "to"};
+    const char *at = words_find(text, next, 3) >= 0 ? words_next(text) : text, *bind;
+
+    if (!words_are_rows(at) || (at == text && !words_row(text)))
+        return 0;
+    at = words_next(at);
+    at = words_skip_blanks(at + strspn(at, "0123456789"));
+    at = words_skip_blanks(at + (*at == '(' ? strcspn(at, ")\r\n") + 1 : 0));
+    if (!*at || !strchr(":,-", *at))
+        return 0;
+    bind = at = words_skip_blanks(at + 1);
+    bind = words_are(at, WORDS_PLAIN) ? words_next(at) : at;
+    bind += *bind == ',' ? 1 + strspn(bind + 1, " ") : 0;
+    while (bind > at && words_find(bind, and, 5) >= 0)
+        bind = words_next(bind);
+    if (words_find(bind, off, 4) < 0 || !words_is(words_next(bind), "off"))
+        return 0;
+    for (at = words_next(words_next(bind)); *at && !strchr("\r\n.;", *at); at += words_length(at) ? words_length(at) : 1)
+        if (isdigit((unsigned char)*at) || *at == '{' || words_are(at, WORDS_NUMBER | WORDS_PLAIN) || words_find(at, some, 7) >= 0)
+            return 0;
+    return (size_t)(bind - text);
+}
+
 /* Words of headings behind which no work is meant, though they name some. */
 static bool is_aside(const char *text, size_t n)
 {
@@ -371,7 +398,7 @@ size_t heads_length(const char *text, bool inside, bool *stop)
         return table_length(text);
     if ((length = title_length(text)) || (length = label_length(text)) || (length = begin_length(text)) || (length = inside ? 0 : heads_label(text)))
         return length;
-    return (length = part_length(text)) ? length : first_row_length(text);
+    return (length = part_length(text)) || (length = inside ? 0 : bind_off_length(text)) ? length : first_row_length(text);
 }
 
 size_t heads_example(const char *text, size_t *number)

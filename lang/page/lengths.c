@@ -227,23 +227,43 @@ static int row_of_side(const char *text)
     return !words_are_rows(text) ? 0 : right ? ENDING_RS : wrong ? ENDING_WS : 0;
 }
 
-int lengths_ending(const char *phrase)
+/* Behind the number of `row 2`, `2nd row`. */
+static const char *behind_row(const char *text)
 {
-    static const char *const end[] = {"end", "ends", "ending", "finish", "finishing"}, *const of[] = {"with", "on", "after", "a", "the", "pattern", "patt"},
-                             *const other[] = {"or", "of", "and"};
-    const char *at = phrase, *behind;
+    text = words_next(words_skip_blanks(text + words_ordinal_length(text)));
+    return words_skip_blanks(text + strspn(text, "0123456789"));
+}
 
+/* `or row 4`, `or 4`: its number, 0 for none; -1: the row before it is of something else, or one of several. */
+static int other_row(const char *text)
+{
+    bool choice = words_is(text, "or");
+
+    if (words_is(text, "of") || words_is(text, "and"))
+        return -1;
+    text = words_next(text);
+    return !choice ? 0 : isdigit((unsigned char)*text) && !words_ordinal_length(text) ? words_number(text) : words_row(text) ? words_row(text) : -1;
+}
+
+int lengths_ending(const char *phrase, int *other)
+{
+    static const char *const end[] = {"end", "ends", "ending", "finish", "finishing"}, *const of[] = {"with", "on", "after", "by", "working", "a", "the", "pattern", "patt"};
+    const char *at = phrase;
+
+    *other = 0;
     while (*at && words_find(at, end, 5) < 0)
         at += words_length(at) ? words_length(at) : 1;
-    if (!*at || words_find(words_next(at), of, 3) < 0)
+    if (!*at || words_find(words_next(at), of, 4) < 0)
         return 0;
     for (at = words_next(at); words_find(at, of, sizeof of / sizeof *of) >= 0;)
         at = words_next(at);
     if (row_of_side(at))
         return row_of_side(at);
-    behind = words_next(words_skip_blanks(at + words_ordinal_length(at)));
-    behind = words_skip_blanks(behind + strspn(behind, "0123456789"));
-    return words_find(behind, other, 3) >= 0 ? 0 : words_row(at);
+    *other = other_row(behind_row(at));
+    if (*other >= 0)
+        return words_row(at);
+    *other = 0;
+    return 0;
 }
 
 double lengths_wanted(const char *phrase, bool *part)

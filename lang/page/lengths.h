@@ -25,8 +25,8 @@ size_t lengths_count(const char *text, size_t at, char plain[static SIGNS_PLAIN]
 /* The rows that such a count says in a phrase; 0: none. */
 int lengths_counted(const char *phrase);
 
-/* The row it ends with, "until piece measures 8 in, ending with row 2", or its side; 0: none is said, or a choice of them. */
+/* The row it ends with, "until piece measures 8 in, ending with row 2", or its side; 0: none is said. `other`: `row 2 or row 4`; 0: no choice. */
 enum { ENDING_RS = -1, ENDING_WS = -2 };
-int lengths_ending(const char *phrase);
+int lengths_ending(const char *phrase, int *other);
 
 #endif
