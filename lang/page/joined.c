@@ -159,6 +159,26 @@ static bool closes_bracket(const char *line, size_t length, const char *next, si
     return open > 0 && line[open - 1] == '(' && isupper((unsigned char)*words_skip_blanks(line + open)) && close < rest && next[close] == ')' && !begins_part(next, rest);
 }
 
+/* A sentence to the reader; no row, and no statement. */
+static bool is_prose(const char *line)
+{
+    return prose_reads(line, false) && !words_row(line) && !words_are(line, WORDS_GO_ON | WORDS_THEN) && !prose_statement_follows(line);
+}
+
+/* `sl 1, k3`, `12 k`: a row, whatever stands before it. */
+static bool has_stitches(const char *text, size_t length)
+{
+    const char *behind = words_behind_number(text);
+
+    for (size_t at = 0; at < length; at += words_length(text + at) + (words_length(text + at) == 0)) {
+        size_t stitch = at > 0 && isalnum((unsigned char)text[at - 1]) ? 0 : words_stitch_length(text + at);
+
+        if (stitch && !isalnum((unsigned char)text[at + stitch]))
+            return true;
+    }
+    return syntax_is_row(text) || (isdigit((unsigned char)*text) && prose_stitches_follow(behind));
+}
+
 /* Whether the sentence that a line ends with goes on in the next. `whole`: the line has one of a line before it. */
 static bool is_broken(const char *line, size_t length, const char *next, size_t rest, bool whole)
 {
@@ -168,6 +188,8 @@ static bool is_broken(const char *line, size_t length, const char *next, size_t 
         return false;
     if (is_head(piece, next) || names_rows(piece, next) || closes_bracket(line, length, next, rest))
         return true;
+    if (needs_more(piece) && is_prose(line) && has_stitches(next, rest))
+        return false;
     if (needs_more(piece) && !has_sign(piece.text, piece.length, "*[=\"") && !is_row_text(piece.text))
         return islower((unsigned char)*next) ? !words_are_rows(next) && !has_sign(next, rest, "={}\"") : isdigit((unsigned char)*next) && !has_sign(next, rest, ":|)");
     return (is_begun(line, piece) || (whole && !piece.behind_stop && isalpha((unsigned char)piece.text[piece.length - 1]))) && goes_on(next, rest);
@@ -230,7 +252,7 @@ static bool names_fabric(struct piece piece, const char *next)
     return words_find(last_word(piece), fabric, 6) >= 0 && islower((unsigned char)*next) && words_find(next, stitch, 2) >= 0;
 }
 
-/* Whether a line's sentence goes on wherever the next text stands. */
+/* Whether a line's sentence goes on wherever the next text stands; one to the reader only in more of it, not in stitches. */
 static bool is_unfinished(const char *line, size_t length, const char *next, size_t rest)
 {
     struct piece piece = last_sentence(line, length);
@@ -239,7 +261,7 @@ static bool is_unfinished(const char *line, size_t length, const char *next, siz
     if (!rest || has_sign(line, length, "#{}"))
         return false;
     if (is_cut(piece) && ends_cut(next, rest))
-        return true;
+        return !is_prose(line) || !has_stitches(next, rest);
     return !strchr(".:;!?", last) && (is_rest(next) || is_bracket_on_rows(next) || names_fabric(piece, next));
 }
 
