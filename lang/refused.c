@@ -6,6 +6,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/page/prose.h"
 #include "lang/page/words.h"
 
 enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE, RIBS, MACHINE };
@@ -160,6 +161,21 @@ static bool is_colour(const char *word, struct span span)
     return strlen(word) == 1 && strchr("ABCDEF", *word) && at > 0 && at < span.start && isdigit((unsigned char)span.source->text[at - 1]);
 }
 
+/* `.. and so you cast on 60 sts` where no stitches are on the needle: it is the piece's own. */
+static void hint_cast_on(struct diag *diag, struct span span)
+{
+    const char *text = span.source->text;
+    size_t behind = prose_begins_cast_on(text + span.start);
+    int n;
+
+    for (unsigned at = 0; behind && at < span.start; at++)
+        if (strchr("cC", text[at]) && (at == 0 || !isalnum((unsigned char)text[at - 1])) && prose_begins_cast_on(text + at))
+            return;
+    n = behind ? words_number(words_skip_blanks(text + span.start + behind)) : 0;
+    if (n)
+        diag_hint(diag, "the stitches the piece begins with stand on a line of their own, above its rows: `Cast on %d sts`", n);
+}
+
 static void report(struct diag *diag, const char *word, struct span span, enum reason reason, const char *what)
 {
     char plain[LONGEST];
@@ -176,6 +192,8 @@ static void report(struct diag *diag, const char *word, struct span span, enum r
     diag_error(diag, reasons[reason].code, span, reasons[reason].text, word, what);
     if (reasons[reason].hint)
         diag_hint(diag, "%s", reasons[reason].hint);
+    if (tolower((unsigned char)*word) == 'c')
+        hint_cast_on(diag, span);
 }
 
 bool refused_word(struct diag *diag, const char *word, struct span span)

@@ -156,7 +156,7 @@ static const char *stitches_behind_dash(const char *word)
 static void unknown(struct eval *eval, const struct module *module, const char *word, unsigned start)
 {
     struct span span = {module->source, start, start + (unsigned)strlen(word)};
-    bool told = eval->refused.source == span.source && start >= eval->refused.start && start < eval->refused.end, of_rows;
+    bool told = eval->refused.source == span.source && start >= eval->refused.start && start < eval->refused.end, of_rows, sentence;
     const char *meant;
 
     /* What it was to be takes its time to find: past the messages that are shown a line is one error. */
@@ -174,7 +174,8 @@ static void unknown(struct eval *eval, const struct module *module, const char *
     /* What else stands in a row that cannot be knitted goes with it. */
     if (told && typos_is_word(word))
         return;
-    meant = meant_by(eval, module, &span, word, &of_rows);
+    sentence = !is_doubled(word) && is_sentence(eval, module, start, told);
+    meant = sentence ? NULL : meant_by(eval, module, &span, word, &of_rows);
     if (!told && (is_scanned(word) || is_scanned_figure(word))) {
         diag_error(eval->diag, CODE_STITCH, span, "'%s' is no stitch", word);
         diag_hint(eval->diag, "in a scanned text the letter l may stand for 1: '%.*s1'", is_scanned(word), word);
@@ -190,15 +191,13 @@ static void unknown(struct eval *eval, const struct module *module, const char *
         diag_hint(eval->diag, "brackets hold it: `(k2, p2) x 2`");
         return;
     }
-    if (is_sentence(eval, module, start, told))
-        meant = NULL;
     if (told && !meant)
         return;
     diag_error(eval->diag, CODE_STITCH, span, "'%.*s' is no stitch", (int)(span.end - span.start), span.source->text + span.start);
     diag_did_you_mean(eval->diag, meant);
     if (!meant)
-        diag_hint(eval->diag, is_sentence(eval, module, start, told) ? "a sentence stands on a line of its own, or behind `#`"
-                                                                     : "stitches are k, p, and your own: `stitch T { kx = .. }`");
+        diag_hint(eval->diag, sentence ? "a sentence stands on a line of its own, or behind `#`"
+                                       : "stitches are k, p, and your own: `stitch T { kx = .. }`");
     if (!told && (of_rows || !meant))
         eval->refused = diag_line_around(span);
 }

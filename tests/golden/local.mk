@@ -37,6 +37,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/stitches.txt \
     tests/golden/binary_file.knit \
     tests/golden/blocks.knit \
+    tests/golden/cast_on_in_row.knit tests/golden/cast_on_in_row.expected \
     tests/golden/characters.knit \
     tests/golden/circle.knit \
     tests/golden/circle.txt \
