@@ -327,10 +327,12 @@ size_t lengths_count(const char *text, size_t at, char plain[static SIGNS_PLAIN]
 
 int lengths_counted(const char *phrase)
 {
-    const char *open = phrase;
+    const char *open = phrase, *rows;
 
-    for (; (open = strchr(open, '(')); open++)
-        if (isdigit((unsigned char)open[1]) && words_are_rows(words_behind_number(open + 1)) && ends_length(phrase, (size_t)(open - phrase)))
+    for (; (open = strchr(open, '(')); open++) {
+        rows = isdigit((unsigned char)open[1]) ? words_behind_number(open + 1) : NULL;
+        if (rows && words_are_rows(rows) && ends_length(phrase, (size_t)(open - phrase)))
             return words_number(open + 1);
+    }
     return 0;
 }

@@ -75,6 +75,26 @@ static bool is_purpose(const char *text, size_t close)
     return (*sts == ')' || words_find(sts, left, 4) >= 0) && prose_stitches_follow(next) && !strchr("*([", *next);
 }
 
+/* `(25 sts, plus 5 border sts)`, `(8 sts between the markers)`: counts of parts of a row, not of the row. */
+static bool counts_parts(const char *text, size_t close)
+{
+    static const char *const part[] = {"plus", "border", "borders", "edge", "edges", "edging", "between", "center", "centre", "panel"},
+                             *const also[] = {"and", "the", "each", "side", "both", "of", "on", "for", "in", "marker", "markers", "at", "end"};
+    const char *sts = isdigit((unsigned char)text[1]) ? words_behind_number(text + 1) : NULL;
+    bool found = false;
+
+    if (!sts || !words_are_stitches(sts))
+        return false;
+    for (size_t at = 1, n; at < close; at += n ? n : 1) {
+        bool here = (n = words_length(text + at)) > 0 && words_find(text + at, part, 10) >= 0;
+
+        if (n ? !here && !words_are_stitches(text + at) && words_find(text + at, also, 13) < 0 : !strchr(" ,+0123456789", text[at]))
+            return false;
+        found |= here;
+    }
+    return found;
+}
+
 size_t remarks_length(const char *text, size_t at)
 {
     static const char *const times[] = {"x", "twice", "thrice", "once", "to", "rep", "repeat", "until", "rib", "ribbing", "across", "around"};
@@ -83,7 +103,7 @@ size_t remarks_length(const char *text, size_t at)
 
     if (here[close] != ')' || close == 1)
         return 0;
-    if (remarks_are(here + 1, close - 1) || is_purpose(here, close))
+    if (remarks_are(here + 1, close - 1) || is_purpose(here, close) || counts_parts(here, close))
         return close + 1;
     if (!behind_fabric(text, at) || !tells_fabric(here + 1))
         return 0;
