@@ -197,6 +197,16 @@ static bool is_broken(const char *line, size_t length, const char *next, size_t 
 
 /* ---- over empty lines, too ---- */
 
+/* `row 1.`, `rows 1 and 2,`: rows that are named, none that begins. */
+static bool refers_to_rows(const char *text)
+{
+    const char *behind = words_are_rows(text) ? words_next(text) : text;
+
+    while (isdigit((unsigned char)*behind) || strchr(" -&", *behind ? *behind : '.') || words_is(behind, "and") || words_is(behind, "to"))
+        behind += words_length(behind) ? words_length(behind) : 1;
+    return words_are_rows(text) && (*behind == ',' || prose_line_ends(behind));
+}
+
 /* Whether a row or a statement begins: `row 3`, `1st row`, `purl 2 rows`, `2)`; not the `row.` of `to end of`, nor its `last 2 sts`. */
 static bool begins_work(const char *text)
 {
@@ -205,6 +215,8 @@ static bool begins_work(const char *text)
 
     if (digits)
         return ordinal ? words_are_rows(words_skip_blanks(text + ordinal)) : text[digits] && strchr(".:)|", text[digits]);
+    if (refers_to_rows(text) || words_one_of("cast on edge|cast-on edge|cast on row|cast-on row", text))
+        return false;
     return words_row(text) || words_find(text, word, sizeof word / sizeof *word) >= 0 || (!words_are_rows(text) && prose_statement_follows(text));
 }
 
@@ -212,6 +224,16 @@ static bool begins_work(const char *text)
 static bool is_cut(struct piece piece)
 {
     return needs_more(piece) && islower((unsigned char)*last_word(piece)) && !has_sign(piece.text, piece.length, "={}");
+}
+
+/* `Cast on 6 sts (this is the`: a bracket that the next text closes. */
+static bool is_open(const char *line, size_t length, const char *next, size_t rest)
+{
+    size_t close = strcspn(next, "()");
+
+    while (length > 0 && !strchr("()", line[length - 1]))
+        length--;
+    return length > 0 && line[length - 1] == '(' && isalpha((unsigned char)line[length]) && close < rest && next[close] == ')';
 }
 
 /* `end of row.`, `19" [48 cm]`: what goes on behind it. */
@@ -260,8 +282,8 @@ static bool is_unfinished(const char *line, size_t length, const char *next, siz
 
     if (!rest || has_sign(line, length, "#{}"))
         return false;
-    if (is_cut(piece) && ends_cut(next, rest))
-        return !is_prose(line) || !has_stitches(next, rest);
+    if ((is_cut(piece) || is_open(line, length, next, rest)) && ends_cut(next, rest))
+        return !is_prose(line) || !(has_stitches(next, rest) || words_row(next));
     return !strchr(".:;!?", last) && (is_rest(next) || is_bracket_on_rows(next) || names_fabric(piece, next));
 }
 
