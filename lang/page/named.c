@@ -2,6 +2,9 @@
  * A page's text in, the same with "pattern" for the names it gave to its rows out. */
 #include "lang/page/named.h"
 
+#include <ctype.h>
+#include <string.h>
+
 #include "lang/page/headings.h"
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
@@ -15,6 +18,7 @@ struct name {
     const char *rows;       /* its row 1 */
     bool        twice;      /* other rows have it, too */
     bool        mentioned, figures;
+    bool        part;       /* `Border`: of the piece, which is repeated and not a pattern to work in */
 };
 
 struct names_of_page {
@@ -67,12 +71,24 @@ static bool is_name_with_figures(const char *text, size_t length)
     return named;
 }
 
+/* `Border`, `BODY:`, and no more of the line: a heading that parts of a piece have. */
+static bool is_part(const char *line)
+{
+    static const char *const word[] = {"border", "body", "edging", "edge", "band", "hem"};
+    size_t length = strcspn(line, "(:\r\n");
+    bool part = false;
+
+    for (size_t at = 0; at < length; at += words_length(line + at) ? words_length(line + at) : 1)
+        part |= words_find(line + at, word, 6) >= 0;
+    return part && line[length] != '(' && prose_line_ends(line + length + (line[length] == ':'));
+}
+
 /* The name that a line is, up to a bracket, a colon or a dash with a blank; without a length: it is none. */
 static struct name name_of(const char *line, const char *rows)
 {
     size_t length = strcspn(line, "(:\r\n"), at = 0, end = 0, letters = 0, figures = 0, heading;
 
-    if (length > LONGEST_NAME || prose_row_word(line) || headings_find(line, &heading))
+    if (length > LONGEST_NAME || prose_row_word(line) || (headings_find(line, &heading) && !is_part(line)))
         return (struct name){0};
     while (at < length && isalnum((unsigned char)line[at]) && strncmp(line + at, "- ", 2) != 0) {
         size_t word = strspn(line + at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"), letter = words_length(line + at);
@@ -85,7 +101,7 @@ static struct name name_of(const char *line, const char *rows)
     }
     if (figures ? at < length || !is_name_with_figures(line, at) : !letters)
         return (struct name){0};
-    return (struct name){.text = line, .length = end, .rows = rows, .figures = figures > 0};
+    return (struct name){.text = line, .length = end, .rows = rows, .figures = figures > 0, .part = is_part(line)};
 }
 
 static bool same_name(const struct name *a, const struct name *b)
@@ -149,8 +165,24 @@ static const char *plain_of_worked(const char *behind, size_t length)
     behind = words_skip_blanks(behind);
     if (words_are_rows(behind))
         return "";
-    if (words_are(behind, WORDS_OFTEN) || prose_times_follow(behind))
+    if (words_is(behind, "again"))
+        plain = "them";
+    else if (words_are(behind, WORDS_OFTEN) || prose_times_follow(behind))
         plain = "these rows";
+    return length >= strlen(plain) ? plain : NULL;
+}
+
+/* What stands for the name of rows that are repeated, behind `the`, too; NULL: more than they is named. */
+static const char *plain_of_repeated(const char *behind, size_t length, bool the)
+{
+    static const char *const next[] = {"until", "till", "for", "again", "once", "twice", "thrice"};
+    const char *plain = the ? "rows" : "them";
+
+    behind = words_skip_blanks(behind);
+    if (words_are_rows(behind))
+        plain = the || isdigit((unsigned char)*words_next(behind)) ? "" : "these";
+    else if (*behind && !strchr(".,;\r\n", *behind) && words_find(behind, next, 7) < 0 && !prose_times_follow(behind))
+        return NULL;
     return length >= strlen(plain) ? plain : NULL;
 }
 
@@ -164,18 +196,21 @@ static bool stands_before(const char *first, size_t bytes, const char *word)
 
 /* What the name is to be at a place of the text from `first` on: behind `in`, `of`, `change to` the pattern. NULL: the
  * word is no mention. */
-static const char *plain_at(const char *first, const char *at, size_t length)
+static const char *plain_at(const char *first, const char *at, size_t length, bool part)
 {
     static const char *const lead[] = {"in", "of", "change to", "switch to"};
     size_t before = (size_t)(at - first);
+    bool the;
 
     while (before > 0 && first[before - 1] == ' ')
         before--;
-    if (stands_before(first, before, "the"))
-        before -= strlen(" the");
+    the = stands_before(first, before, "the");
+    before -= the ? strlen(" the") : 0;
     if (before == (size_t)(at - first))
         return NULL;
-    for (size_t i = 0; i < sizeof lead / sizeof *lead; i++)
+    if (stands_before(first, before, "repeat") || stands_before(first, before, "rep"))
+        return plain_of_repeated(at + length, length, the);
+    for (size_t i = 0; !part && i < sizeof lead / sizeof *lead; i++)
         if (stands_before(first, before, lead[i]))
             return length >= strlen("pattern") ? "pattern" : length >= strlen("pat") ? "pat" : NULL;
     return stands_before(first, before, "work") ? plain_of_worked(at + length, length) : NULL;
@@ -211,7 +246,7 @@ const char *named_plain(struct arena *arena, const char *text, size_t size, stru
     for (const char *at = names.name[0].rows; *at; at += words_length(at) ? words_length(at) : 1) {
         size_t length;
         struct name *name = name_at(&names, at, &length);
-        const char *wording = name ? plain_at(text, at, length) : NULL;
+        const char *wording = name ? plain_at(text, at, length, name->part) : NULL;
 
         if (name)
             keep_mention(arena, named, (struct named_mention){(unsigned)(at - text), (unsigned)(name->rows - text), wording != NULL});

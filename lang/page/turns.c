@@ -216,6 +216,7 @@ const struct phrase turns_of_pages[] = {
     {"=rep|repeat the? above|preceding|previous # =rows|rounds|rnds", "last #"},
     {"=row|rows|rounds|rnds to create|make|get|continue|complete|produce|build", "until"},
 
+    {"^ work them again", "rep them"},
     {"work them # times|x in|for a? all|total", "rep them # times in all"},
     {"until|till you|i|we '? ve|have worked|knit|knitted|done|completed|repeated|made them|these|this|it|all|the? rows|pattern|repeat? # times in? total|all|altogether?",
      "for a total of # times"},
