@@ -156,7 +156,7 @@ static const char *stitches_behind_dash(const char *word)
 static void unknown(struct eval *eval, const struct module *module, const char *word, unsigned start)
 {
     struct span span = {module->source, start, start + (unsigned)strlen(word)};
-    bool told = eval->refused.source == span.source && start >= eval->refused.start && start < eval->refused.end, of_rows, sentence;
+    bool told = eval->refused.source == span.source && start >= eval->refused.start && start < eval->refused.end, of_rows = false, sentence;
     const char *meant;
 
     /* What it was to be takes its time to find: past the messages that are shown a line is one error. */
