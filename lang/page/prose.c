@@ -109,6 +109,18 @@ size_t prose_length(const struct scanner *scanner, const char *text)
     return line;
 }
 
+/* `k and 1 row purl`, behind `knit 5 rows`. */
+static bool counts_rows_of(const char *text, size_t length)
+{
+    for (size_t i = 0; i < length; i++) {
+        const char *rows = i > 0 && text[i - 1] == ' ' ? words_behind_number(text + i) : NULL;
+
+        if (rows && words_are_rows(rows) && words_are(words_next(rows), WORDS_PLAIN))
+            return true;
+    }
+    return false;
+}
+
 /* `Now K 3, P 12, K 3 on the wrong side`, `Rib 2 and 2 for 6 rows`, `Change to stocking-stitch`, `Repeat from ** to **`:
  * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again, so many times. */
 static bool asks_for_work(const char *text, size_t length)
@@ -141,6 +153,7 @@ static bool asks_for_work(const char *text, size_t length)
         asks |= (words_are(text + i, WORDS_PLAIN | WORDS_WORK) || words_is(text + i, "rib")) && prose_rows_follow(behind);
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
+    asks |= (words_are(text, WORDS_PLAIN) || words_is(text, "and")) && counts_rows_of(text, length);
     asks |= first < 0 && words_line_has(text, "change") && (words_line_has(text, "continue") || words_line_has(text, "until"));
     asks |= words_is(text, "alternate") && (words_line_has(text, "sections") || words_line_has(text, "rows"));
     asks |= first > 8 && words_line_has(text, "work");

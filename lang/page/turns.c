@@ -241,6 +241,7 @@ const struct phrase turns_of_pages[] = {
 
     {"=st|stitch|stockinette|garter , =( =one|every|alternate =row|rows|knit|k", ""},
     {"=st|stitch|stockinette|garter , =( =knit|k|purl =one|every|each|all|1", ""},
+    {"=knit|purl|k|p =# =rows|row|rounds|round and|& then? =knit|purl|k|p =# =rows|row|rounds|round", "."},
     {"=every|each =row . when =the|your|this? =piece|work|it|scarf|square|swatch|cloth|blanket|strip =measures =#", "till"},
     {"=in =pattern|patt|pat . when =the|your|this? =piece|work|it|scarf|square|swatch|cloth|blanket|strip =measures =#", "till"},
     {"=garter|seed|moss|stockinette|stocking|st =st|stitch . when =the|your|this? =piece|work|it|scarf|square|swatch|cloth|blanket|strip =measures =#", "till"},
