@@ -8,7 +8,7 @@
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
 
-enum { PLAIN = 40 };
+enum { PLAIN = 40, MOST = 10000 };  /* bytes; stitches */
 
 /* Where a row placed markers: stitches before its first, and behind its last; 0: not told by figures alone. */
 struct places {
@@ -67,7 +67,7 @@ static int count_fixed(const char *text, const char *end)
     for (text += strspn(text, " \t,;."); text < end; text += strspn(text, " \t,;.")) {
         const char *marker = behind_slipped(text) ? behind_slipped(text) : behind_placed(text), *number = words_next(text);
 
-        if (!marker && (!words_are(text, WORDS_PLAIN) || !words_behind_number(number)))
+        if (!marker && (!words_are(text, WORDS_PLAIN) || !words_behind_number(number) || words_number(number) > MOST - sum))
             return 0;
         text = marker ? marker : words_skip_blanks(words_behind_number(number));
         sum += marker ? 0 : words_number(number);
