@@ -157,6 +157,9 @@ enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGA
  * ends with, or one of two. `counted`: the rows themselves are said. */
 struct measure { int rows; bool part; int ending, other; bool counted; };
 
+/* `Keep 3 sts at each edge in garter st`: beside the rows behind it, or in them. */
+struct kept_edges { int n; enum fabric_kind fabric; unsigned length; };
+
 /* `these 4 rows form the pattern`: the last n; n 0: those with numbers from first to last. */
 struct told { int n, first, last; };
 
@@ -251,6 +254,7 @@ enum stmt_kind {
     STMT_ROW,
     STMT_AGAIN,
     STMT_PATTERN,       /* `these 4 rows form the pattern` */
+    STMT_EDGES,         /* `keep 3 sts at each edge in garter st` */
     STMT_STARS,         /* a mark of so many: a repeat begins or ends here */
     STMT_FOR,
     STMT_IF,
@@ -279,6 +283,7 @@ struct stmt {
         struct row row;
         struct again again;
         struct told told;
+        struct kept_edges edges;
         int stars;
         struct { struct name_at name; struct range range; struct stmt *body; } loop;
         struct { struct expr *condition; struct stmt *then, *otherwise; } choice;

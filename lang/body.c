@@ -224,7 +224,7 @@ static struct row_text *make_text(struct eval *eval, struct where where, const s
 {
     struct row_text *text = arena_new(eval->arena, struct row_text);
 
-    *text = (struct row_text){.side = row->side, .round = row->as_others ? body->round : row->round, .span = row->body_span, .head = row->head};
+    *text = (struct row_text){.edges = body->edges, .side = row->side, .round = row->as_others ? body->round : row->round, .span = row->body_span, .head = row->head};
     if (!lower_check(eval, where, row, text))
         return NULL;
     if (!lower_body(eval, where, row, body, from, text))
@@ -412,6 +412,15 @@ static bool run_if(struct eval *eval, struct where where, const struct stmt *stm
     return true;
 }
 
+/* From here on. */
+static bool keep_edges(struct eval *eval, const struct stmt *stmt, struct body *body)
+{
+    body->edges = arena_new(eval->arena, struct row_edges);
+    *body->edges = (struct row_edges){.n = stmt->edges.n, .stitch = stmt->edges.fabric == FABRIC_GARTER ? STITCH_GARTER : STITCH_SEED, .span = stmt->span};
+    rows_work(body->rows);
+    return true;
+}
+
 static bool misplaced(struct eval *eval, const struct stmt *stmt, const struct body *body)
 {
     diag_error(eval->diag, CODE_PLACE, stmt->span,
@@ -444,6 +453,8 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
     case STMT_PATTERN:
         rows_tell(body->rows, stmt->span, stmt->told);
         return true;
+    case STMT_EDGES:
+        return keep_edges(eval, stmt, body);
     case STMT_STARS:
         rows_mark(body->rows, stmt->stars);
         return true;

@@ -284,6 +284,17 @@ static bool read_sum(struct eval *eval, struct where where, const struct stmt *s
     return false;
 }
 
+/* Rows above a sentence that keeps edges: whether they have them cannot be told. */
+static bool check_edges(struct eval *eval, const struct stmt *stmt, const struct body *body, struct row_texts texts)
+{
+    if (!body->edges || !texts.n || texts.text[0]->edges == body->edges)
+        return true;
+    diag_error(eval->diag, CODE_STATEMENT, stmt->span, "whether these rows have the edges that are kept is not said");
+    diag_note(eval->diag, body->edges->span, "which are these");
+    diag_hint(eval->diag, "write these stitches in each row, at both ends: `K3, .. to last 3 sts, k3`");
+    return false;
+}
+
 bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, struct body *body)
 {
     struct row_texts texts;
@@ -300,6 +311,8 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         return true;
     }
     if (!find_rows(eval, where, stmt, again, body, &texts) || (again->rib && !check_rib(eval, stmt, body, texts)))
+        return false;
+    if (!check_edges(eval, stmt, body, texts))
         return false;
     if (!read_sum(eval, where, stmt, again, body, texts, &n))
         return false;

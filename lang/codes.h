@@ -101,7 +101,8 @@
     X(CODE_IN_PATTERN,      912, "a row worked 'in pattern', by the rows above") \
     X(CODE_LENGTH,          913, "a length, of so many rows by the stated gauge") \
     X(CODE_ROWS_ABOVE,      914, "more rows that are said to be the pattern than are above") \
-    X(CODE_WRONG_SIDE,      915, "a row 1 that falls on the wrong side, with no side said of it")
+    X(CODE_WRONG_SIDE,      915, "a row 1 that falls on the wrong side, with no side said of it") \
+    X(CODE_EDGES,           916, "edges that are kept beside the rows below")
 
 enum diag_code {
 #define X(name, number, about) name = number,

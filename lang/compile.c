@@ -287,7 +287,7 @@ static const struct grid *grid_of_body(struct compilation *c, struct body *body)
         diag_error(eval->diag, CODE_EMPTY_MOTIF, body->first, "there is no row to knit");
         return NULL;
     }
-    if (!check_multiple(c, body))
+    if (!rows_keep_edges(body->rows, (int)width) || !check_multiple(c, body))
         return NULL;
     if (!width && body->multiple.of)
         width = assumed_width(c, body);
@@ -307,9 +307,9 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
     rows_describe(body.rows, body_describes(eval->main->file));
     rows_of_page(body.rows, &eval->main->facts);
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
-        if (!makes_rows(stmt) && stmt->kind != STMT_STARS && (stmt->kind != STMT_PATTERN || !body.first.source))
+        if (!makes_rows(stmt) && stmt->kind != STMT_STARS && stmt->kind != STMT_EDGES && (stmt->kind != STMT_PATTERN || !body.first.source))
             continue;
-        if (!body.first.source && stmt->kind != STMT_STARS)
+        if (!body.first.source && stmt->kind != STMT_STARS && stmt->kind != STMT_EDGES)
             body.first = stmt->span;
         body_statement(eval, (struct where){eval->main, NULL}, stmt, &body);
     }

@@ -202,6 +202,7 @@ struct body {
     struct span        cast_on_span;
     bool               misplaced;       /* one stood behind rows */
     struct multiple    multiple;
+    struct row_edges  *edges;           /* kept from here on; or NULL */
     int                in_pattern;      /* the last row `in pattern`; 0: none */
     int                period;          /* the rows before it, and before those in pattern right before it */
     bool               failed;

@@ -9,7 +9,7 @@ liblang_a_SOURCES = lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c 
     lang/scanner.c lang/scene.h lang/settings.h lang/settings.c lang/source.c lang/stitches.c lang/syntax.h \
     lang/syntax.c lang/syntax_errors.c lang/token_values.h lang/token_values.c lang/typos.h lang/typos.c \
     lang/unreadable.c lang/vocabulary.h lang/vocabulary.c \
-    lang/rows/row_again.c lang/rows/row_draw.h lang/rows/row_draw.c lang/rows/row_fit.h lang/rows/row_fit.c \
+    lang/rows/row_again.c lang/rows/row_edges.c lang/rows/row_draw.h lang/rows/row_draw.c lang/rows/row_fit.h lang/rows/row_fit.c \
     lang/rows/row_grid.c lang/rows/row_labels.h lang/rows/row_labels.c lang/rows/row_list.h lang/rows/row_misfit.h \
     lang/rows/row_misfit.c lang/rows/row_order.c lang/rows/rows.h lang/rows/rows.c \
     lang/page/explained.h lang/page/explained.c lang/page/groups.h lang/page/groups.c lang/page/headings.h lang/page/headings.c lang/page/heads.h lang/page/heads.c lang/page/joined.h \
@@ -20,7 +20,7 @@ liblang_a_SOURCES = lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c 
     lang/page/phrases.h lang/page/phrases.c lang/page/printed.h lang/page/printed.c lang/page/printed_heads.c \
     lang/page/printed_parts.h lang/page/printed_words.c lang/page/prose.h lang/page/prose.c lang/page/prose_line.h \
     lang/page/prose_line.c lang/page/prose_parts.c lang/page/remarks.h lang/page/remarks.c lang/page/repeats.h \
-    lang/page/repeats.c lang/page/ribs.h lang/page/ribs.c lang/page/row_phrases.h lang/page/row_phrases.c \
+    lang/page/repeats.c lang/page/edges.h lang/page/edges.c lang/page/ribs.h lang/page/ribs.c lang/page/row_phrases.h lang/page/row_phrases.c \
     lang/page/run_on.h lang/page/run_on.c lang/page/signs.h lang/page/signs.c lang/page/starred.h \
     lang/page/starred.c lang/page/sums.h lang/page/sums.c lang/page/turns.h lang/page/turns.c lang/page/wording.h lang/page/wording.c \
     lang/page/words.h lang/page/words.c lang/page/yarns.h lang/page/yarns.c \

@@ -70,6 +70,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     struct { int of, plus; } parity;
     struct measure measure;
     struct told told;
+    struct kept_edges edges;
     struct starred starred;
     int stars;
     struct expr *expr;
@@ -135,6 +136,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token PROSE            "a line of text"
 %token <measure> GO_ON            "'continue in pattern'"
 %token <told> FORM_PATTERN   "'these rows form the pattern'"
+%token <edges> KEPT_EDGES   "'keep .. stitches at each edge'"
 %token <stars> STARS           "stars that mark rows"
 %token <starred> REPEAT_STARRED  "'repeat from' the stars"
 %token <starred> THEN_STARRED    "'then from' the stars"
@@ -292,6 +294,7 @@ line:
 | PROSE                                 { $$ = ast_stmt(parse, STMT_PROSE, @$); }
 | GO_ON                                 { $$ = syntax_goes_on(parse, @$, $GO_ON); }
 | STARS                                 { $$ = ast_stmt(parse, STMT_STARS, @$); $$->stars = $STARS; }
+| KEPT_EDGES                            { $$ = ast_stmt(parse, STMT_EDGES, @$); $$->edges = $KEPT_EDGES; }
 | FORM_PATTERN                          { $$ = stmt_pattern(parse, @$, $FORM_PATTERN); }
 | error                                 { $$ = NULL; }
 ;

@@ -115,6 +115,9 @@ int scanner_begin_bare(struct scanner *, KNIT_STYPE *, struct span *);
 /* Whether what comes next is a line of the page's chart, the name of the rows below it, or describes a rib. */
 bool scanner_is_text(struct scanner *);
 
+/* Whether a text keeps edges in a fabric of their own. */
+bool scanner_edges(struct scanner *, KNIT_STYPE *, struct span, const char *text);
+
 /* Whether it explains a fabric's name; warns where it may be work. */
 bool scanner_explains(struct scanner *);
 

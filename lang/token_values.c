@@ -9,6 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page/edges.h"
 #include "lang/page/lengths.h"
 #include "lang/page/words.h"
 
@@ -261,6 +262,22 @@ void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span
                      "'moss' is two patterns: in Britain what others call seed, in America a pattern of four rows");
         diag_hint(scanner->parse->diag, "taken as 'seed' (British moss); the American one is `use moss_us from std`");
     }
+}
+
+bool scanner_edges(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *text)
+{
+    struct kept_edges edges;
+    const char *fabric;
+    size_t length = scanner->section || !words_are_page(scanner->parse->text, scanner->parse->source->size) ? 0 : edges_length(text, &edges, &fabric);
+
+    if (!length)
+        return false;
+    span.start += (unsigned)(fabric - text);
+    span.end = span.start + (unsigned)words_length(fabric);
+    scanner_fabric(scanner, value, span, fabric);
+    edges.length = (unsigned)length;
+    value->edges = edges;
+    return true;
 }
 
 /* Warns of the second number of `Knit 3 or 4 rows`, which is no part of the plain text. */

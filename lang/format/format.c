@@ -247,7 +247,7 @@ static void format_row(struct format *f, int indent)
 
 static bool is_text(int kind)
 {
-    return kind == TOKEN_PROSE || kind == TOKEN_GO_ON || kind == TOKEN_FORM_PATTERN;
+    return kind == TOKEN_PROSE || kind == TOKEN_GO_ON || kind == TOKEN_FORM_PATTERN || kind == TOKEN_KEPT_EDGES;
 }
 
 /* Whether what comes next stands on the line of the statement before it. */

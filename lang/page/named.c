@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/page/edges.h"
 #include "lang/page/headings.h"
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
@@ -88,7 +89,7 @@ static struct name name_of(const char *line, const char *rows)
 {
     size_t length = strcspn(line, "(:\r\n"), at = 0, end = 0, letters = 0, figures = 0, heading;
 
-    if (length > LONGEST_NAME || prose_row_word(line) || (headings_find(line, &heading) && !is_part(line)))
+    if (length > LONGEST_NAME || prose_row_word(line) || edges_is(line) || (headings_find(line, &heading) && !is_part(line)))
         return (struct name){0};
     while (at < length && isalnum((unsigned char)line[at]) && strncmp(line + at, "- ", 2) != 0) {
         size_t word = strspn(line + at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"), letter = words_length(line + at);

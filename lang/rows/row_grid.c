@@ -7,6 +7,11 @@
 #include "lang/rows/row_list.h"
 #include "lang/rows/row_misfit.h"
 
+static bool is_between(const struct row_text *text)
+{
+    return text->edges && text->edges->between;
+}
+
 bool rows_fit(const struct row_list *list, struct fit *fit)
 {
     const struct row_text *before = NULL;
@@ -24,6 +29,8 @@ bool rows_fit(const struct row_list *list, struct fit *fit)
         text->seen = true;
         if (!row_fit(list->diag, text, &row))
             return false;
+        if (is_between(text))
+            row = (struct fit){row.multiple, row.plus + 2 * text->edges->n, row.least + 2 * text->edges->n};
         if (!fit_join(fit, &row, &both)) {
             misfit_rows(list->diag, text, before, &row, fit);
             return false;
@@ -110,10 +117,10 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             nothing_below(list, text);
             return NULL;
         }
-        if (text->as_opposite) {
+        if (text->as_opposite && !is_between(text)) {
             for (int x = 0; x < width; x++)
                 to[x] = ws[to[x - width]];
-        } else if (text->as_below) {
+        } else if (text->as_below && !is_between(text)) {
             memcpy(to, to - width, (size_t)width);
         } else if (text->drawn[side]) {
             memcpy(to, cell + (size_t)(text->drawn[side] - 1) * (size_t)width, (size_t)width);
@@ -121,7 +128,7 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             struct row_text here = *text;
 
             here.work = side == SIDE_WS && text->on_ws ? text->on_ws : text->work;
-            if (!row_work(list->diag, &here, width, from, before, worked) || !work_end(list, text, width, from, worked)) {
+            if (!(is_between(text) ? row_edges_work : row_work)(list->diag, &here, width, from, before, worked) || !work_end(list, text, width, from, worked)) {
                 good = false;
             } else if (i == 0 && row_draw_asks_below(worked, width)) {
                 good = nothing_below(list, text);

@@ -94,6 +94,9 @@ void row_list_check_side(struct row_list *, const struct row_text *, int i, int 
 /* Warns of a row 1 that falls on the wrong side, where no side is said of any row and the rows are not the same from either. */
 void row_list_doubt_side(struct row_list *, struct row_text *const *text, int n);
 
+/* `row_work` of a text between its edges, and these. */
+bool row_edges_work(struct diag *, const struct row_text *, int width, enum width_from, const struct row_text *before, stitch_id *worked);
+
 /* Where no row has decided on which side the work begins, the one worked next does. */
 void row_list_begin_on_side_of(struct row_list *, const struct row_text *);
 

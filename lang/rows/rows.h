@@ -45,6 +45,14 @@ struct work {
     struct work    *next;
 };
 
+/* Edges that are kept in a fabric: `between` them are the stitches of the rows' own, or these have them. */
+struct row_edges {
+    int         n;
+    stitch_id   stitch;
+    struct span span;
+    bool        decided, between;
+};
+
 /* One row's text. */
 struct row_text {
     int          label;         /* its number in the pattern; 0: none yet */
@@ -59,6 +67,7 @@ struct row_text {
     long long    end_length;    /* so many */
     long long    check;         /* (n sts), -1: none */
     struct span  span, head, check_span;
+    struct row_edges *edges;    /* kept there; or NULL */
     bool         failed;        /* an error was reported: it only takes its place */
     bool         shaped;        /* for a stitch that was refused: how many there are behind it is not known */
     bool         seen;
@@ -168,6 +177,10 @@ void rows_again(struct row_list *, struct span, struct row_texts, long long time
 
 /* Closes the list: fills the gaps, decides the sides. False after an error. */
 bool rows_finish(struct row_list *);
+
+/* Whether rows below a sentence that keeps edges are worked between them: by their counts, with a warning. Width 0: it is
+ * open. False after an error. */
+bool rows_keep_edges(struct row_list *, int width);
 
 /* Whether every text is good. */
 bool rows_good(const struct row_list *);

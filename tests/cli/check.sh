@@ -36,6 +36,13 @@ check 'and no warning' sh -c '! grep -q warning "$1"' - "$work/err"
 exits 3 'a doubtful one, quietly, where warnings are errors' "$WEFT" check -q -W error "$work/doubtful.knit"
 err 'has them' 'error: .*W0904'
 
+printf 'Row 1: knit across and so we all cast on 60 sts\n' >"$work/late.knit"
+exits 3 'a cast-on in a row, and none before' "$WEFT" check "$work/late.knit"
+err 'is told where it belongs' '^hint: .* on a line of their own, above its rows: .Cast on 60 sts.'
+printf 'Cast on 4\nRow 1: cast on 60 sts\n' >"$work/late.knit"
+exits 3 'one behind another' "$WEFT" check "$work/late.knit"
+check 'is not' sh -c '! grep -q "above its rows" "$1"' - "$work/err"
+
 exits 3 'a bad script' "$WEFT" check "$work/short.knit"
 err 'its error has a place' 'short.knit:2:.*error'
 empty 'and no result' "$work/out"

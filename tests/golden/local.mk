@@ -37,13 +37,13 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/stitches.txt \
     tests/golden/binary_file.knit \
     tests/golden/blocks.knit \
-    tests/golden/cast_on_in_row.knit tests/golden/cast_on_in_row.expected \
     tests/golden/characters.knit \
     tests/golden/circle.knit \
     tests/golden/circle.txt \
     tests/golden/command_line.knit \
     tests/golden/command_line_outputs.knit \
     tests/golden/defaults.knit \
+    tests/golden/edges.knit tests/golden/edges.expected \
     tests/golden/empty.knit \
     tests/golden/grid_file.knit \
     tests/golden/grid_file_plain.knit \

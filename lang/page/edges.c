@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+ * Edges that a page asks to be kept in a fabric of their own, in its words. */
+#include "lang/page/edges.h"
+
+#include "lang/page/words.h"
+
+enum { MOST = 1000 };       /* stitches of an edge */
+
+/* What was said of the edges so far. */
+struct said {
+    int n;
+    bool stitches, side, first, last;
+    const char *fabric;
+};
+
+/* A word that says where they are, or nothing. */
+static bool is_place(const char *text, struct said *said)
+{
+    static const char *const side[] = {"side", "sides", "edge", "edges", "end", "ends"}, *const both[] = {"each", "either", "both"},
+                             *const other[] = {"at", "on", "of", "in", "the", "and", "as", "outer", "outside", "row", "rows", "every", "work", "piece", "needle",
+                                               "st", "stitch", "throughout", "always", "all", "times"};
+
+    said->side |= words_find(text, side, 6) >= 0;
+    said->first |= words_is(text, "first") || words_is(text, "beginning");
+    said->last |= words_is(text, "last") || words_is(text, "end");
+    said->stitches |= words_are_stitches(text);
+    return words_is(text, "first") || words_is(text, "last") || words_is(text, "beginning") || words_are_stitches(text) || words_find(text, side, 6) >= 0 ||
+           words_find(text, both, 3) >= 0 || words_find(text, other, sizeof other / sizeof *other) >= 0;
+}
+
+/* Takes the word or number at a place; false: the sentence says more than edges. */
+static bool take_word(const char *text, struct said *said)
+{
+    static const char *const fabric[] = {"garter", "seed", "moss"};
+
+    if (is_place(text, said))
+        return true;
+    if (words_find(text, fabric, 3) >= 0 && !said->fabric)
+        said->fabric = text;
+    else if (words_number(text) && !said->n)
+        said->n = words_number(text);
+    else
+        return false;
+    return true;
+}
+
+/* Behind `work in pattern as follows:`, which says no more. */
+static const char *skip_in_pattern(const char *text)
+{
+    static const char *const words[] = {"work", "working", "continue", "in", "the", "pattern", "patt", "pat", "as", "follows", "below", "set"};
+    const char *at = text;
+
+    while (words_find(at, words, sizeof words / sizeof *words) >= 0)
+        at = words_next(at);
+    at = words_skip_blanks(at + (*at == ':' || *at == '.'));
+    return !*at || words_ends_line(*at) ? at : text;
+}
+
+size_t edges_length(const char *text, struct kept_edges *edges, const char **fabric)
+{
+    static const char *const keep[] = {"keep", "keeping"};
+    const char *at = words_is(text, "always") ? words_next(text) : text;
+    struct said said = {0};
+
+    if (words_find(at, keep, 2) < 0)
+        return 0;
+    for (at = words_next(at); *at && !words_ends_line(*at) && !strchr(".,:", *at); at = words_skip_blanks(at))
+        if (take_word(at, &said))
+            at = words_length(at) ? words_next(at) : words_behind_number(at);
+        else
+            return 0;
+    if (!said.n || said.n > MOST || !said.stitches || !said.fabric || !(said.side || (said.first && said.last)) || *at == ':')
+        return 0;
+    *edges = (struct kept_edges){.n = said.n, .fabric = words_is(said.fabric, "garter") ? FABRIC_GARTER : FABRIC_SEED};
+    *fabric = said.fabric;
+    return (size_t)(*at == ',' ? skip_in_pattern(words_skip_blanks(at + 1)) - text : at - text);
+}
