@@ -412,21 +412,26 @@ static bool run_if(struct eval *eval, struct where where, const struct stmt *stm
     return true;
 }
 
-/* From here on. */
-static bool keep_edges(struct eval *eval, const struct stmt *stmt, struct body *body)
-{
-    body->edges = arena_new(eval->arena, struct row_edges);
-    *body->edges = (struct row_edges){.n = stmt->edges.n, .stitch = stmt->edges.fabric == FABRIC_GARTER ? STITCH_GARTER : STITCH_SEED, .span = stmt->span};
-    rows_work(body->rows);
-    return true;
-}
-
 static bool misplaced(struct eval *eval, const struct stmt *stmt, const struct body *body)
 {
     diag_error(eval->diag, CODE_PLACE, stmt->span,
                body->top ? "this cannot stand inside a loop or an `if`" : "this cannot stand inside a motif");
     diag_hint(eval->diag, "inside stand rows, charts, `repeat rows`, `let`, `for` and `if`");
     return false;
+}
+
+/* From here on. */
+static bool keep_edges(struct eval *eval, const struct stmt *stmt, struct body *body)
+{
+    struct row_edges *edges = arena_new(eval->arena, struct row_edges);
+
+    if (!body->top)
+        return misplaced(eval, stmt, body);
+    *edges = (struct row_edges){.n = stmt->edges.n, .stitch = stmt->edges.fabric == FABRIC_GARTER ? STITCH_GARTER : STITCH_SEED, .span = stmt->span,
+                                .above = body->edges};
+    body->edges = edges;
+    rows_work(body->rows);
+    return true;
 }
 
 static bool run(struct eval *eval, struct where *where, const struct stmt *stmt, struct body *body)

@@ -287,7 +287,7 @@ static const struct grid *grid_of_body(struct compilation *c, struct body *body)
         diag_error(eval->diag, CODE_EMPTY_MOTIF, body->first, "there is no row to knit");
         return NULL;
     }
-    if (!rows_keep_edges(body->rows, (int)width) || !check_multiple(c, body))
+    if (!rows_keep_edges(body->rows, body->edges, (int)width) || !check_multiple(c, body))
         return NULL;
     if (!width && body->multiple.of)
         width = assumed_width(c, body);

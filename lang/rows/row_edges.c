@@ -67,7 +67,7 @@ static void decide(struct row_list *list, struct row_edges *edges, int width)
     }
 }
 
-bool rows_keep_edges(struct row_list *list, int width)
+bool rows_keep_edges(struct row_list *list, const struct row_edges *last, int width)
 {
     for (int i = 0; i < list->norder; i++) {
         struct row_edges *edges = list->order[i]->edges;
@@ -83,6 +83,11 @@ bool rows_keep_edges(struct row_list *list, int width)
         diag_hint(list->diag, "write these stitches in each row, at both ends: `K3, .. to last 3 sts, k3`");
         return false;
     }
+    for (; last; last = last->above)
+        if (!last->decided) {
+            diag_warning(list->diag, CODE_PROSE, last->span, "this line is read as text: no row is below it");
+            diag_hint(list->diag, "edges are kept in the rows below such a line; above it write them in each row");
+        }
     return true;
 }
 

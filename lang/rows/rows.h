@@ -51,6 +51,7 @@ struct row_edges {
     stitch_id   stitch;
     struct span span;
     bool        decided, between;
+    struct row_edges *above;    /* of the sentence before; or NULL */
 };
 
 /* One row's text. */
@@ -178,9 +179,9 @@ void rows_again(struct row_list *, struct span, struct row_texts, long long time
 /* Closes the list: fills the gaps, decides the sides. False after an error. */
 bool rows_finish(struct row_list *);
 
-/* Whether rows below a sentence that keeps edges are worked between them: by their counts, with a warning. Width 0: it is
- * open. False after an error. */
-bool rows_keep_edges(struct row_list *, int width);
+/* Whether rows below a sentence that keeps edges are worked between them: by their counts, with a warning; `last`: the
+ * last of these sentences, or NULL. Width 0: it is open. False after an error. */
+bool rows_keep_edges(struct row_list *, const struct row_edges *last, int width);
 
 /* Whether every text is good. */
 bool rows_good(const struct row_list *);
