@@ -128,6 +128,9 @@ struct fabric {
     int              knit, purl;    /* of a rib */
 };
 
+/* `Keep 3 sts at each edge in garter st`: beside the rows behind it, or in them. */
+struct kept_edges { int n; enum fabric_kind fabric; unsigned length; };
+
 struct row {
     bool                round;          /* worked in the round: always from the right side */
     bool                as_others;      /* row or round is not said: what the others are */
@@ -138,6 +141,8 @@ struct row {
     bool                total;          /* or as many as there are then in all, */
     bool                measured;       /* which may be there already */
     enum side           starting;       /* the side of the first of them */
+    struct kept_edges   edges;          /* in these rows; n 0: none */
+    struct span         edges_span;
     struct span         head;
     enum body_kind      body;
     struct span         body_span;
@@ -156,9 +161,6 @@ enum again_kind { AGAIN_PATTERN, AGAIN_TIMES, AGAIN_UNTIL_ROWS, AGAIN_TOTAL, AGA
 /* A length in rows; 0: how many they are is not said. `part`: of these rows, not of the piece. `ending`, `other`: the row it
  * ends with, or one of two. `counted`: the rows themselves are said. */
 struct measure { int rows; bool part; int ending, other; bool counted; };
-
-/* `Keep 3 sts at each edge in garter st`: beside the rows behind it, or in them. */
-struct kept_edges { int n; enum fabric_kind fabric; unsigned length; };
 
 /* `these 4 rows form the pattern`: the last n; n 0: those with numbers from first to last. */
 struct told { int n, first, last; };

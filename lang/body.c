@@ -420,18 +420,40 @@ static bool misplaced(struct eval *eval, const struct stmt *stmt, const struct b
     return false;
 }
 
-/* From here on. */
-static bool keep_edges(struct eval *eval, const struct stmt *stmt, struct body *body)
+static struct row_edges *edges_new(struct eval *eval, struct kept_edges kept, struct span span)
 {
     struct row_edges *edges = arena_new(eval->arena, struct row_edges);
 
+    *edges = (struct row_edges){.n = kept.n, .stitch = kept.fabric == FABRIC_GARTER ? STITCH_GARTER : STITCH_SEED, .span = span};
+    return edges;
+}
+
+/* From here on. */
+static bool keep_edges(struct eval *eval, const struct stmt *stmt, struct body *body)
+{
+    struct row_edges *above = body->edges;
+
     if (!body->top)
         return misplaced(eval, stmt, body);
-    *edges = (struct row_edges){.n = stmt->edges.n, .stitch = stmt->edges.fabric == FABRIC_GARTER ? STITCH_GARTER : STITCH_SEED, .span = stmt->span,
-                                .above = body->edges};
-    body->edges = edges;
+    body->edges = edges_new(eval, stmt->edges, stmt->span);
+    body->edges->above = above;
     rows_work(body->rows);
     return true;
+}
+
+/* In these rows alone, where they say so. */
+static bool run_row_edged(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    struct row_edges *edges = body->edges;
+    bool good;
+
+    if (stmt->row.edges.n && !body->top)
+        return misplaced(eval, stmt, body);
+    if (stmt->row.edges.n)
+        body->edges = edges_new(eval, stmt->row.edges, stmt->row.edges_span);
+    good = run_row(eval, where, stmt, body);
+    body->edges = edges;
+    return good;
 }
 
 static bool run(struct eval *eval, struct where *where, const struct stmt *stmt, struct body *body)
@@ -445,7 +467,7 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
             diag_error(eval->diag, CODE_MIXED_MOTIF, stmt->span, "a motif is one chart, or rows");
             return false;
         }
-        return stmt->kind == STMT_ROW ? run_row(eval, *where, stmt, body)
+        return stmt->kind == STMT_ROW ? run_row_edged(eval, *where, stmt, body)
                                       : body_again(eval, *where, stmt, &stmt->again, body);
     case STMT_CHART:
         return run_chart(eval, *where, stmt, body);

@@ -299,7 +299,10 @@ line:
 | error                                 { $$ = NULL; }
 ;
 
-statement: simple | if | row_statement | repeat_statement | work_statement;
+statement:
+  simple | if | row_statement | repeat_statement | work_statement
+| work_statement KEPT_EDGES             { $$ = syntax_keeps(parse, $1, @2, $2); }
+;
 
 simple:
   KNIT expr                             { $$ = stmt_expr(parse, STMT_VERSION, @$, $expr); }
