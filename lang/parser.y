@@ -269,7 +269,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %type <items>     items elements
 %type <until>     until position times
 %type <expr>      check
-%type <again>     again again_once again_counted
+%type <again>     again again_once again_sum again_counted
 %type <side>      starting
 
 %%
@@ -592,14 +592,17 @@ again:
 again_once:
   %empty                                { $$ = (struct again){.kind = AGAIN_PATTERN}; }
 | FOR_PATTERN                           { $$ = (struct again){.kind = AGAIN_PATTERN, .pattern = true}; }
-| again_counted
-| again_counted ENDING_ROW              { $$ = $again_counted; $$.ending = (int)$ENDING_ROW.value; }
+| again_sum
+| again_sum ENDING_ROW                  { $$ = $again_sum; $$.ending = (int)$ENDING_ROW.value; }
+| ',' again_sum                         { $$ = $again_sum; }
+| FOR_PATTERN again_sum                 { $$ = $again_sum; }
+| FOR_PATTERN ',' again_sum             { $$ = $again_sum; }
+;
+again_sum:
+  again_counted
 | again_counted IN_FABRIC count ROW_WORD { $$ = $again_counted; $$.sum = $count; }
 | again_counted IN_FABRIC count ROW_WORD TOTAL { $$ = $again_counted; $$.sum = $count; $$.sum_of = SUM_PIECE; }
 | again_counted IN_FABRIC count TIMES   { $$ = $again_counted; $$.sum = $count; $$.sum_of = SUM_TIMES; }
-| ',' again_counted                     { $$ = $again_counted; }
-| FOR_PATTERN again_counted             { $$ = $again_counted; }
-| FOR_PATTERN ',' again_counted         { $$ = $again_counted; }
 ;
 again_counted:
   count TIMES                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }

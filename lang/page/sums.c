@@ -57,6 +57,7 @@ static size_t read_sum(const char *text, struct sum *sum)
 
     while (text[at] && !strchr("\r\n.,;:)", text[at]) && (n = word_length(text + at, sum)) > 0)
         at += n;
+    sum->times |= close && sum->all && !sum->rows;     /* `(3 in all)` */
     if (!(sum->rows || sum->times) || !sum->number)
         return 0;
     at += sum->all ? remark_length(text + at, close, sum) : 0;
@@ -87,6 +88,6 @@ size_t sums_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     if (!length || sum.number > 99999 || !(sum.all || (in_row && sum.rows)))
         return 0;
     if (!in_row)    /* of a row that is like others its numbers say it */
-        snprintf(plain, SIGNS_PLAIN, " in %d %s%s", sum.number, sum.rows ? "rows" : "times", sum.piece ? " total" : "");
+        snprintf(plain, SIGNS_PLAIN, " in %d %s%s", sum.number, sum.rows ? "rows" : "x", sum.piece ? " total" : "");
     return strlen(plain) <= length ? length : 0;
 }

@@ -7,7 +7,7 @@
 
 #include "lang/page/signs.h"
 
-/* The bytes of `(6 rows in all)`, `, 6 rows in all`, `(4 times in all)`, and ` in 6 rows`, ` in 4 times` for it; ` in 6 rows total`
+/* The bytes of `(6 rows in all)`, `, 6 rows in all`, `(4 times in all)`, and ` in 6 rows`, ` in 4 x` for it; ` in 6 rows total`
  * where the rows of the piece are meant, `(6 rows in total, counting the 2 of the border)`. 0: it is none. */
 size_t sums_length(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 

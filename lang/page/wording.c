@@ -490,7 +490,7 @@ static void put_yarn(struct wording *w, size_t at)
 {
     size_t length = 0;
 
-    if (w->text[at] == '(' || (w->text[at] && strchr("wWuUcCsSjJaAiI", w->text[at]) && begins_word(w, at)))
+    if (w->text[at] == '(' || w->text[at] == ',' || (w->text[at] && strchr("wWuUcCsSjJaAiI", w->text[at]) && begins_word(w, at)))
         length = yarns_length(w->text, at, begins_sentence(w->text, at));
     if (length)
         put_blanks(w, at, length, "");

@@ -71,6 +71,8 @@ static bool rows_follow(const char *text)
         return true;
     if (words_are(text, WORDS_WORK | WORDS_GO_ON) && prose_fabric_follows(fabric))
         return true;
+    if (words_are(text, WORDS_WORK) && words_row(next))
+        return true;
     return words_are(text, WORDS_PLAIN | WORDS_WORK) && (prose_rows_follow(next) || (words_are(next, WORDS_EVERY) && words_are_rows(words_next(next))));
 }
 
@@ -160,22 +162,26 @@ static size_t behind_rows(const char *text, size_t at)
     return prose_line_ends(name + n) || strchr(".;", name[n]) ? (size_t)(name + n - (text + at)) : 0;
 }
 
-/* `(MC)` between a row's number and its colon. */
+/* `(MC)` between a row's number and its colon; the comma and the name of `(RS, MC)`. */
 static size_t in_head(const char *text, size_t at)
 {
-    bool plain;
-    size_t n = colour_length(text + at + 1, &plain), before = at;
+    bool plain, side = text[at] == ',';
+    size_t blanks = strspn(text + at + 1, " "), n = colour_length(text + at + 1 + blanks, &plain), before = at, end = at + 1 + blanks + n;
 
+    if (!n || text[end] != ')' || *words_skip_blanks(text + end + 1) != ':')
+        return 0;
+    if (side)
+        return at > 2 && text[at - 3] == '(' && words_are(text + at - 2, WORDS_SIDE) ? end - at : 0;
     while (before > 0 && text[before - 1] == ' ')
         before--;
-    return n && text[at + 1 + n] == ')' && *words_skip_blanks(text + at + n + 2) == ':' && before > 0 && isdigit((unsigned char)text[before - 1]) ? n + 2 : 0;
+    return before > 0 && isdigit((unsigned char)text[before - 1]) ? end + 1 - at : 0;
 }
 
 size_t yarns_length(const char *text, size_t at, bool begins)
 {
     bool row = behind_colon(text, at);
 
-    if (text[at] == '(')
+    if (text[at] == '(' || text[at] == ',')
         return in_head(text, at);
     return begins || row ? before_rows(text + at, row && !begins) : behind_rows(text, at);
 }

@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 /* The bytes of `Using Red, ` before `knit 4 rows` where a sentence begins, or before `knit.` behind a row's head; of `with B`
- * behind them; of `(MC)` in a row's head. 0: it is none, or of some stitches of a row alone. */
+ * behind them; of `(MC)` in a row's head, of `, MC` of `(RS, MC)`. 0: it is none, or of some stitches of a row alone. */
 size_t yarns_length(const char *text, size_t at, bool begins);
 
 #endif
