@@ -136,6 +136,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token PROSE            "a line of text"
 %token <measure> GO_ON            "'continue in pattern'"
 %token <told> FORM_PATTERN   "'these rows form the pattern'"
+%token BETWEEN          "'in between'"
 %token <edges> KEPT_EDGES   "'keep .. stitches at each edge'"
 %token <stars> STARS           "stars that mark rows"
 %token <starred> REPEAT_STARRED  "'repeat from' the stars"
@@ -637,6 +638,8 @@ work_statement:
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $last ? $last : $first)); }
 | WORK count more ROW_WORD in FABRIC starting
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
+| WORK count more ROW_WORD KEPT_EDGES AND FABRIC BETWEEN
+                                        { $$ = syntax_keeps(parse, stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN)), @KEPT_EDGES, $KEPT_EDGES); }
 | WORK count[rows] more ROW_WORD[round] in FABRIC STARTING count[sofar] ROW_WORD
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $rows, $round, $STARTING)); syntax_rows_so_far(parse, @sofar); (void)$sofar; }
 | WORK count more RIDGES starting       { $$ = stmt_row(parse, @$, syntax_ridges(parse, @$, $count, $starting)); }

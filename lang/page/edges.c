@@ -58,11 +58,11 @@ static const char *skip_in_pattern(const char *text)
 
 size_t edges_length(const char *text, struct kept_edges *edges, const char **fabric)
 {
-    static const char *const keep[] = {"keep", "keeping"};
+    static const char *const keep[] = {"keep", "keeping", "with"};
     const char *at = words_is(text, "always") ? words_next(text) : text;
     struct said said = {0};
 
-    if (words_find(at, keep, 2) < 0)
+    if (words_find(at, keep, 3) < 0)
         return 0;
     for (at = words_next(at); *at && !words_ends_line(*at) && !strchr(".,:", *at); at = words_skip_blanks(at))
         if (take_word(at, &said))
