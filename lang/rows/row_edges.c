@@ -47,11 +47,15 @@ static void decide(struct row_list *list, struct row_edges *edges, int width)
     stitch_id *worked = arena_array(list->arena, stitch_id, (size_t)width);
     bool all = true, between = true, shown = true;
 
+    for (int i = 0; i < list->norder; i++)
+        list->order[i]->seen = false;
     for (int i = 0; i < list->norder; i++) {
-        const struct row_text *text = list->order[i];
+        struct row_text *text = list->order[i];
 
-        if (text->edges != edges || text->failed)
+        /* Each text once, however often it is worked. */
+        if (text->edges != edges || text->failed || text->seen)
             continue;
+        text->seen = true;
         between &= works(list, text, between_of(edges, width), worked);
         all &= works(list, text, width, worked);
         shown &= all && width >= edges->n && shows_edges(text, worked, width);
