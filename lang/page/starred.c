@@ -201,6 +201,7 @@ static void forget_single(struct marks *marks)
 const char *starred_plain(struct arena *arena, const char *text, size_t size)
 {
     struct marks marks = {0};
+    struct words_line line = {0};
     char *own = NULL;
 
     if (!memchr(text, '*', size))
@@ -210,6 +211,8 @@ const char *starred_plain(struct arena *arena, const char *text, size_t size)
         size_t from = 0;
 
         n = text[at] == '*' ? strspn(text + at, "*") : words_length(text + at);
+        if (words_line_is_long(&line, text, at))
+            continue;
         if (text[at] == '*' && count_stars(text + at) && marks.n < MOST_MARKS && may_be_mark(text, at, (int)n, count_marks(&marks, 1) == 1))
             marks.stars[marks.n++] = (struct stars){at, (int)n};
         else if (text[at] != '*')
