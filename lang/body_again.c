@@ -224,10 +224,30 @@ static bool check_ending(struct eval *eval, const struct stmt *stmt, const struc
     return false;
 }
 
-/* `Repeat from ** to **`: once more. */
-static bool is_once(const struct again *again)
+/* Whether what follows counts these rows as worked once more: row 5 behind `Repeat rows 1 and 2`, `these 8 rows` behind 6. */
+static bool next_counts_on(struct eval *eval, struct where where, const struct stmt *stmt, const struct body *body, struct row_texts texts)
 {
-    return again->which == AGAIN_STARRED && again->kind == AGAIN_PATTERN && !again->pattern && !again->open;
+    const struct stmt *next = stmt->next;
+    struct row_labels labels = {0};
+    long long rows = rows_count(body->rows) + texts.n, last;
+
+    while (next && next->kind == STMT_PROSE)
+        next = next->next;
+    if (!next || !texts.n)
+        return false;
+    if (next->kind == STMT_ROW && next->row.numbers && !next->row.numbers->all)
+        return row_labels_evaluate(eval, where, next->row.numbers, &labels) && labels.label[0] == rows_last_number(body->rows) + texts.n + 1;
+    if (next->kind == STMT_AGAIN && next->again.last)
+        return eval_whole(eval, where, next->again.last, 1, LIMIT_ROWS, "the number of rows", &last) && last == rows;
+    return next->kind == STMT_PATTERN && next->told.n == rows;
+}
+
+/* `Repeat from ** to **`, and `Repeat rows 1 and 2` before row 5: once more. */
+static bool is_once(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, const struct body *body,
+                    struct row_texts texts)
+{
+    return again->kind == AGAIN_PATTERN && !again->open &&
+           ((again->which == AGAIN_STARRED && !again->pattern) || next_counts_on(eval, where, stmt, body, texts));
 }
 
 /* Whether so many times, or as many less the rows above, make the sum that is said. */
@@ -299,7 +319,7 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
 {
     struct row_texts texts;
     long long n = 0;
-    bool described = rows_described(body->rows);
+    bool described = rows_described(body->rows), once;
 
     rows_work(body->rows);
     if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
@@ -318,11 +338,12 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         return false;
     rows_both_sides(body->rows, texts);
     warn_since_when(eval, stmt, again, body, texts, n);
-    if (is_once(again))
+    once = is_once(eval, where, stmt, again, body, texts);
+    if (once)
         n = 1;
     else if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))
         n = 1;
-    if (!is_once(again))
+    if (!once)
         warn_open(eval, stmt, again, body, texts, n > 0);
     n = left_to_work(again, body, texts, n, described);
     if (again->kind == AGAIN_UNTIL_ROWS)

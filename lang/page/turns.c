@@ -136,7 +136,8 @@ const struct phrase turns_of_pages[] = {
     {"> =row|round|rnd =# is|will be? knitted|worked|knit|made? =:", ""},
     {"^ the? last|final row|round|rnd :", "row:"},
     {"< end|finish|finishing with|by? knitting? =# =rows|rounds|rnds =of|in", "knit"},
-    {"< end|finish|finishing by knitting =# =rows|rounds|rnds", "knit"},
+    {"< end|finish|finishing|complete|conclude by|with knitting =# =row|rows|round|rounds|rnds|rnd", "knit"},
+    {"< end|finish|finishing|complete|conclude by|with purling =# =row|rows|round|rounds|rnds|rnd", "purl"},
     {"< end|finish with # garter st|stitch? =rows|rounds|rnds =.|,", "knit #"},
     {"< repeat|rep =the =following|next =#? =rows|rounds|rnds", "work"},
     {"< next =# =rows|rounds|rnds :|,? work|cont|continue? in|as the? est|established? pattern|patt|pat|set|established as? set|established?", "work"},
@@ -329,6 +330,7 @@ const struct phrase turns_of_pages[] = {
     /* a row's neighbour */
     {"=# =rows|rounds|rnds =in? =total|altogether|all? , bind|cast off", "; bind off"},
     {"=# =rows|rounds|rnds =in? =total|altogether|all? and|then bind|cast off", "; bind off"},
+    {"=# =row|rows|round|rounds|rnds|rnd and|then binding|casting off", "; bind off"},
     {"=once|twice|times|square|long|length|end|done and|then =bo", ";"},
     {"=# =rows|rounds|rnds =in? =total|altogether|all? , then bind|cast off", "; bind off"},
 

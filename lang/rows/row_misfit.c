@@ -81,6 +81,40 @@ static void hint_nearest(struct diag *diag, const char *what, const struct fit *
         diag_hint(diag, "%sthe nearest width that fits is %lld", what, above);
 }
 
+/* `p4, k2`: the first n stitches of a repeat; NULL where they end within a run. */
+static const char *beginning(struct arena *arena, const struct work *repeat, long long n)
+{
+    const char *text = "";
+
+    if (repeat->child && !repeat->child->next && repeat->child->until == WORK_TIMES && repeat->child->n == 1)
+        repeat = repeat->child;
+    for (int i = 0; repeat->run && i < repeat->nruns && i < TERMS && repeat->run[i].stitch <= STITCH_P; i++) {
+        text = arena_printf(arena, "%s%s%c%u", text, i ? ", " : "", repeat->run[i].stitch == STITCH_P ? 'p' : 'k', repeat->run[i].length);
+        n -= repeat->run[i].length;
+        if (n <= 0)
+            return n == 0 ? text : NULL;
+    }
+    return NULL;
+}
+
+/* `*p4, k4; rep from * to last 3 sts` leaves 4 stitches over: the last repeat may be meant to break off there. */
+static void hint_broken_off(struct diag *diag, const struct row_text *row, const struct fit *fit, long long width)
+{
+    long long over = ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple, behind = 0;
+    const struct work *repeat = row->work;
+    const char *text;
+
+    while (repeat && repeat->until != WORK_FIT && repeat->until != WORK_LAST)
+        repeat = repeat->next;
+    text = repeat ? beginning(diag->arena, repeat, over) : NULL;
+    if (!text)
+        return;
+    for (const struct work *work = repeat->next; work; work = work->next)
+        behind += work->n * work->length;
+    diag_hint(diag, "where the last repeat is to break off, write what it works: `rep from * to last %lld sts, %s%s`", over + behind, text,
+              behind ? ", .." : "");
+}
+
 /* The line to write for `Row 1: k1, p1` where it is worked to the end. */
 static void hint_repeated(struct diag *diag, const struct row_text *row)
 {
@@ -131,6 +165,8 @@ void misfit_width(struct diag *diag, const struct row_text *row, const struct fi
                   fit->multiple, width / fit->multiple, width % fit->multiple);
     if (fit->multiple > 1 && width >= fit->least)
         hint_nearest(diag, "", fit, width);
+    if (fit->multiple > 1 && width > fit->least)
+        hint_broken_off(diag, row, fit, width);
 }
 
 void misfit_hint_edges(struct diag *diag, const struct fit *fit, long long width)
