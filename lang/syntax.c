@@ -426,7 +426,7 @@ void syntax_first_size(struct parse *parse, struct span sizes)
 
 struct stmt *syntax_goes_on(struct parse *parse, struct span span, struct measure measure)
 {
-    struct again again = syntax_again_until(parse, span, (struct measure){whole_ridges(measure), measure.part, measure.ending, measure.other, measure.counted});
+    struct again again = syntax_again_until(parse, span, measure);
 
     again.which = AGAIN_GO_ON;
     return stmt_again(parse, span, again);

@@ -263,16 +263,22 @@ size_t remarks_bar(const char *text, size_t at)
 
 size_t remarks_chatter(const char *text)
 {
-    static const char *const work[] = {"end", "through", "back", "loop", "loops", "front", "yarn", "with", "in", "as", "if", "color", "colour", "twisted", "slip", "wrap", "turn"};
-    size_t at = 1, n, words = 0;
+    static const char *const work[] = {"end", "through", "back", "loop", "loops", "front", "yarn", "with", "in", "as", "if", "color", "colour", "twisted", "slip", "wrap", "turn",
+                                       "yo", "ssk", "inc", "increase", "dec", "decrease", "tog", "together", "cable", "cross", "sl", "pass", "over", "lift", "drop", "next", "make"},
+                             *const talk[] = {"the", "is", "are", "this", "that", "these", "you", "your", "here", "it", "not", "what", "there", "was", "i", "my", "we"};
+    size_t at = 1, n, words = 0, talked = 0;
 
     for (; text[at] && !strchr("\r\n()", text[at]); at += n ? n : 1) {
         n = words_length(text + at);
-        if (n ? (words_are(text + at, WORDS_OF_ROW) || words_find(text + at, work, sizeof work / sizeof *work) >= 0) : !strchr(" ,.!?;'\xE2\x80\x99-", text[at]))
+        if (n ? (words_are(text + at, WORDS_OF_ROW) || words_find(text + at, work, sizeof work / sizeof *work) >= 0)
+              : !strchr(" ,.!?;:'\"\xE2\x80\x98\x99\x9C\x9D-", text[at]))
             return 0;
         words += n > 0;
+        talked += n && words_find(text + at, talk, sizeof talk / sizeof *talk) >= 0;
     }
-    return text[at] == ')' && words > 1 && strchr("!?", text[at - 1]) ? at + 1 : 0;
+    if (text[at] != ')')        /* one that is never closed */
+        return words > 4 && talked > 2 && text[at] != '(' ? at : 0;
+    return words > 1 && (strchr("!?", text[at - 1]) || (words > 3 && talked)) ? at + 1 : 0;
 }
 
 size_t remarks_face(const char *text, size_t at)

@@ -108,7 +108,7 @@ static void part_rows(char *line, size_t length)
     for (size_t at = 0; at < length; at++) {
         if (last && strchr(" \t", line[at - 1]) && repeats(line, at))
             line[at - 1] = '\n';
-        if ((at > 0 && !strchr(" \t", line[at - 1])) || !(head = head_at(line + at)).behind || !is_row(head.behind))
+        if ((at > 0 && !strchr(" \t.", line[at - 1])) || !(head = head_at(line + at)).behind || !is_row(head.behind))
             continue;
         if (last ? head.first == last + 1 && row_ends(line, at) : begins(line, at, &head)) {
             if (last || strspn(line, " \t*") < at)
@@ -192,7 +192,7 @@ static int count_heads(const char *line, size_t length)
     int n = 0;
 
     for (size_t at = 0; at < length; at++)
-        n += (at == 0 || strchr(" \t", line[at - 1])) && head_at(line + at).behind;
+        n += (at == 0 || strchr(" \t.", line[at - 1])) && head_at(line + at).behind;
     return n;
 }
 

@@ -38,6 +38,7 @@ const struct phrase turns_of_pages[] = {
     {"(|[ work all? the? sts|stitches as they appear|come|lie|face )|]", "k k st p p st"},
     {"( =# =times )", ""},
     {"=repeat|rep =rows|rounds|rnds =# =- =# times more =until|till", ""},
+    {"(|[ =repeat|rep =rows|rounds|rnds =# =-|to =# )|] =# =times|more", ""},
     {"^ (? repeat|rep until|till you have # repeats|reps|patterns )?", "rep them # times in all"},
     {"=: the =same =as|like =row|round|rnd", ""},
     {"=: exactly|repeat|rep =as|like =row|round|rnd", ""},
