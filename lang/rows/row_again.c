@@ -60,8 +60,10 @@ bool rows_starred(struct row_list *list, struct span span, struct starred starre
     rows_work(list);
     end = starred.to ? find_mark(list, starred.to, &at) : list->norder;
     first = find_mark(list, starred.from, &at);
-    *texts = list->norder ? (struct row_texts){.text = list->order + first, .n = end - first} : (struct row_texts){0};
-    if (list->failed || (texts->n > 0 && end <= list->norder))
+    *texts = (struct row_texts){0};
+    if (first < end && end <= list->norder)
+        *texts = (struct row_texts){.text = list->order + first, .n = end - first};
+    if (list->failed || texts->n)
         return !list->failed;
     diag_error(list->diag, CODE_ROW_REFERENCE, span, "no row is worked between these stars");
     return false;
