@@ -176,7 +176,7 @@ static bool has_stitches(const char *text, size_t length)
         if (stitch && !isalnum((unsigned char)text[at + stitch]))
             return true;
     }
-    return syntax_is_row(text) || (isdigit((unsigned char)*text) && prose_stitches_follow(behind));
+    return syntax_is_row(text) || (isdigit((unsigned char)*text) && behind && prose_stitches_follow(behind));
 }
 
 /* Whether the sentence that a line ends with goes on in the next. `whole`: the line has one of a line before it. */

@@ -157,6 +157,7 @@ static bool asks_for_work(const char *text, size_t length)
     asks |= first < 0 && words_line_has(text, "change") && (words_line_has(text, "continue") || words_line_has(text, "until"));
     asks |= words_is(text, "alternate") && (words_line_has(text, "sections") || words_line_has(text, "rows"));
     asks |= first > 8 && words_line_has(text, "work");
+    asks |= words_is(text, "rib") && *words_next(text) == '.';      /* `Rib as before.`, plainly */
     return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
 }
 
