@@ -67,7 +67,10 @@ static void decide(struct row_list *list, struct row_edges *edges, int width)
         diag_hint(list->diag, "rows that have them need no such line: `k%d, .. to last %d sts, k%d`", edges->n, edges->n, edges->n);
     } else if (all && !shown) {
         diag_warning(list->diag, CODE_PROSE, edges->span, "this line is read as text: the rows below work all %d stitches, the edges too", width);
-        diag_hint(list->diag, "rows of the stitches between the edges are those of %d", width - 2 * edges->n);
+        if (between_of(edges, width))
+            diag_hint(list->diag, "rows of the stitches between the edges are those of %d", between_of(edges, width));
+        else
+            diag_hint(list->diag, "%d stitches have no others between edges of %d", width, edges->n);
     }
 }
 
