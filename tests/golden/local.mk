@@ -43,7 +43,8 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/command_line.knit \
     tests/golden/command_line_outputs.knit \
     tests/golden/defaults.knit \
-    tests/golden/edges.knit tests/golden/edges.expected \
+    tests/golden/edges.knit tests/golden/edges.expected tests/golden/edges_too_wide.knit \
+    tests/golden/edges_too_wide.expected \
     tests/golden/empty.knit \
     tests/golden/grid_file.knit \
     tests/golden/grid_file_plain.knit \
