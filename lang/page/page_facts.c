@@ -56,11 +56,11 @@ static bool heads_round(const char *text)
 /* `This is knit in the round`, `is worked in rounds`; not `may be knit in the round`, `knit in the round or flat`. */
 static bool says_round(const char *text, size_t at)
 {
-    static const char *const work[] = {"knit", "knitted", "worked", "made"}, *const maybe[] = {"can", "could", "may", "might", "if", "to", "either", "not", "when"},
+    static const char *const work[] = {"knit", "knitted", "worked", "made", "working", "knitting", "work"}, *const maybe[] = {"can", "could", "may", "might", "if", "to", "either", "not", "when"},
                              *const round[] = {"round", "rounds", "rnd", "rnds"}, *const either[] = {"or", "and"};
     const char *next = words_next(text + at);
 
-    if (words_find(text + at, work, 4) < 0)
+    if (words_find(text + at, work, sizeof work / sizeof *work) < 0)
         return false;
     for (int i = 0; i < 6 && !words_is(next, "in"); i++)
         next = words_next(next);
@@ -69,9 +69,19 @@ static bool says_round(const char *text, size_t at)
     if (words_find(next, round, 4) < 0 || words_find(words_next(next), either, 2) >= 0)
         return false;
     for (size_t back = 0; back < at && back < WORDS_MARGIN && !strchr(".\r\n", text[at - back - 1]); back++)
-        if (words_find(text + at - back, maybe, sizeof maybe / sizeof *maybe) >= 0)
+        if (words_find(text + at - back, maybe, sizeof maybe / sizeof *maybe) >= 0 &&
+            !(words_is(text + at - back, "to") && words_is(words_next(text + at - back), "be")))
             return false;
     return true;
+}
+
+/* `Cast on 52 sts, join.`, `.. and join, being careful not to twist`; not `join new yarn`. */
+static bool joins_cast_on(const char *text, size_t cast, size_t behind)
+{
+    static const char *const next[] = {"and", "being", "taking", "making", "pm", "place", "without", "carefully"};
+    const char *word = words_skip_blanks(text + behind);
+
+    return cast && !memchr(text + cast, '\n', behind - cast) && (prose_line_ends(word) || strchr(".,;", *word) || words_find(word, next, sizeof next / sizeof *next) >= 0);
 }
 
 /* Whether `join .. in the round` stands before the rows, no row has a wrong side, and rows are not called both. */
@@ -79,7 +89,7 @@ static bool is_joined(const char *text)
 {
     static const char *const join[] = {"join", "joined", "joining"}, *const round[] = {"round", "rnd", "rounds", "circle", "twist", "twisted", "twisting"},
                              *const flat[] = {"ws", "wrong", "turn"};
-    size_t said = 0;
+    size_t said = 0, cast = 0;
     bool joined = false, rows = false, rounds = false;
 
     for (size_t at = 0, n; text[at]; at += n ? n : 1) {
@@ -93,6 +103,8 @@ static bool is_joined(const char *text)
         if (rows && !joined)
             return false;
         joined |= says_round(text, at);
+        cast = words_is(text + at, "co") || (words_are(text + at, WORDS_CAST) && words_is(words_next(text + at), "on")) ? at + 1 : words_are(text + at, WORDS_PLAIN) ? 0 : cast;
+        joined |= words_is(text + at, "join") && joins_cast_on(text, cast, at + n);
         if (words_find(text + at, join, 3) >= 0)
             said = at + 1;
         else if (said && at < said + 100 && words_find(text + at, round, 7) >= 0)
