@@ -131,6 +131,7 @@ static bool asks_for_work(const char *text, size_t length)
     size_t colon = strcspn(text, ":.\r\n");
     int first = words_find(text, lead, sizeof lead / sizeof *lead), here = first < 0 && words_is(text, "knit") ? 0 : first, stitches = 0;
     bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
+    bool again = words_line_has(text, "repeat") || words_line_has(text, "rep");
     bool heading = length > 0 && text[length - 1] == ':' ? prose_heads_rows(text, text + length) : first > 8 && words_row(prose_line_next(text));
 
     if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0 ||
@@ -147,6 +148,7 @@ static bool asks_for_work(const char *text, size_t length)
         if (!isalpha((unsigned char)text[i]))
             continue;
         asks |= words_find(text + i, keep, 4) >= 0 && words_number(behind);
+        asks |= again && words_row(text + i);       /* `End with a repeat of rows 2-4` */
         stitches += words_are(text + i, WORDS_PLAIN) && isdigit((unsigned char)*behind) && !isalpha((unsigned char)behind[strspn(behind, "0123456789")]);
         while (words_is(behind, "the") || words_is(behind, "last") || words_is(behind, "final"))    /* `Knit the last 4 rows` */
             behind = words_next(behind);
@@ -157,6 +159,7 @@ static bool asks_for_work(const char *text, size_t length)
     asks |= first < 0 && words_line_has(text, "change") && (words_line_has(text, "continue") || words_line_has(text, "until"));
     asks |= words_is(text, "alternate") && (words_line_has(text, "sections") || words_line_has(text, "rows"));
     asks |= first > 8 && words_line_has(text, "work");
+    asks |= (words_is(text, "last") || words_is(text, "final")) && words_are_rows(words_next(text)) && words_are(words_next(words_next(text)), WORDS_PLAIN);
     asks |= words_is(text, "rib") && *words_next(text) == '.';      /* `Rib as before.`, plainly */
     return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
 }
