@@ -159,6 +159,7 @@ static bool asks_for_work(const char *text, size_t length)
     asks |= first < 0 && words_line_has(text, "change") && (words_line_has(text, "continue") || words_line_has(text, "until"));
     asks |= words_is(text, "alternate") && (words_line_has(text, "sections") || words_line_has(text, "rows"));
     asks |= first > 8 && words_line_has(text, "work");
+    asks |= words_is(text, "work") && (words_line_has(text, "until") || words_line_has(text, "till")) && (words_line_has(text, "pattern") || words_line_has(text, "stitch"));
     asks |= (words_is(text, "last") || words_is(text, "final")) && words_are_rows(words_next(text)) && words_are(words_next(words_next(text)), WORDS_PLAIN);
     asks |= words_is(text, "rib") && *words_next(text) == '.';      /* `Rib as before.`, plainly */
     return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
