@@ -539,6 +539,7 @@ struct laid_out {
     size_t              length;
     const struct stmt **row;        /* (n) its knitters' statements and charts */
     int                 n, comments;
+    bool                whole;      /* to its end: no brace that nothing opened stands in its way */
 };
 
 static struct laid_out lay_out(struct arena *arena, struct diag *diag, const struct source *source)
@@ -561,6 +562,7 @@ static struct laid_out lay_out(struct arena *arena, struct diag *diag, const str
     all.row[all.n] = NULL;
     f.style = (struct row_style){arena, &f.tokens, !has_own_k(file)};
     format_statements(&f, 0);
+    all.whole = token(&f)->kind == TOKEN_END;
     all.text = layout_text(f.out, &all.length);
     return all;
 }
@@ -568,7 +570,7 @@ static struct laid_out lay_out(struct arena *arena, struct diag *diag, const str
 /* What one layout is made of gives the same again, statement for statement. */
 static bool is_stable(const struct laid_out *once, const struct laid_out *again)
 {
-    if (!again->text || once->length != again->length || once->n != again->n || once->comments != again->comments)
+    if (!once->whole || !again->text || once->length != again->length || once->n != again->n || once->comments != again->comments)
         return false;
     for (int i = 0; i < once->n; i++)
         if (once->row[i]->kind != again->row[i]->kind)
