@@ -339,9 +339,7 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
     rows_both_sides(body->rows, texts);
     warn_since_when(eval, stmt, again, body, texts, n);
     once = is_once(eval, where, stmt, again, body, texts);
-    if (once)
-        n = 1;
-    else if (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts))))
+    if (once || (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts)))))
         n = 1;
     if (!once)
         warn_open(eval, stmt, again, body, texts, n > 0);

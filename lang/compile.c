@@ -298,6 +298,12 @@ static const struct grid *grid_of_body(struct compilation *c, struct body *body)
     return checked_with_chart(c, body, rows_grid(body->rows, (int)width, 0, body->cast_on ? WIDTH_CAST_ON : WIDTH_ROWS, eval->ws));
 }
 
+/* What only says something of rows: of those below, or of those above. */
+static bool is_of_rows(const struct stmt *stmt, bool above)
+{
+    return stmt->kind == STMT_STARS || stmt->kind == STMT_EDGES || (stmt->kind == STMT_PATTERN && above);
+}
+
 /* Rows, loops and a cast-on at the top of the file. */
 static const struct grid *own_rows(struct compilation *c, struct span *where)
 {
@@ -307,10 +313,10 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
     rows_describe(body.rows, body_describes(eval->main->file));
     rows_of_page(body.rows, &eval->main->facts);
     for (const struct stmt *stmt = eval->main->file; stmt; stmt = stmt->next) {
-        if (!makes_rows(stmt) && stmt->kind != STMT_STARS && stmt->kind != STMT_EDGES && (stmt->kind != STMT_PATTERN || !body.first.source))
-            continue;
-        if (!body.first.source && stmt->kind != STMT_STARS && stmt->kind != STMT_EDGES)
+        if (makes_rows(stmt) && !body.first.source)
             body.first = stmt->span;
+        else if (!makes_rows(stmt) && !is_of_rows(stmt, body.first.source != NULL))
+            continue;
         body_statement(eval, (struct where){eval->main, NULL}, stmt, &body);
     }
     *where = body.first;

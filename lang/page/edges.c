@@ -20,12 +20,14 @@ static bool is_place(const char *text, struct said *said)
                              *const other[] = {"at", "on", "of", "in", "the", "and", "as", "outer", "outside", "row", "rows", "every", "work", "piece", "needle",
                                                "st", "stitch", "throughout", "always", "all", "times"};
 
-    said->side |= words_find(text, side, 6) >= 0;
-    said->first |= words_is(text, "first") || words_is(text, "beginning");
-    said->last |= words_is(text, "last") || words_is(text, "end");
-    said->stitches |= words_are_stitches(text);
-    return words_is(text, "first") || words_is(text, "last") || words_is(text, "beginning") || words_are_stitches(text) || words_find(text, side, 6) >= 0 ||
-           words_find(text, both, 3) >= 0 || words_find(text, other, sizeof other / sizeof *other) >= 0;
+    bool sides = words_find(text, side, 6) >= 0, first = words_is(text, "first") || words_is(text, "beginning"), last = words_is(text, "last"),
+         stitches = words_are_stitches(text);
+
+    said->side |= sides;
+    said->first |= first;
+    said->last |= last || words_is(text, "end");
+    said->stitches |= stitches;
+    return sides || first || last || stitches || words_find(text, both, 3) >= 0 || words_find(text, other, sizeof other / sizeof *other) >= 0;
 }
 
 /* Takes the word or number at a place; false: the sentence says more than edges. */

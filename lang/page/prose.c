@@ -121,21 +121,48 @@ static bool counts_rows_of(const char *text, size_t length)
     return false;
 }
 
+/* `If you want it wider, ..`, `Note: you may ..`: said to the reader. */
+static bool is_advice(const char *text)
+{
+    static const char *const word[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
+    const char *colon = text + strcspn(text, ":.\r\n");
+
+    return words_find(text, word, sizeof word / sizeof *word) >= 0 ||
+           (*colon == ':' && words_find(words_skip_blanks(colon + 1), word, sizeof word / sizeof *word) >= 0);
+}
+
+static bool has_either(const char *text, const char *a, const char *b)
+{
+    return words_line_has(text, a) || words_line_has(text, b);
+}
+
+/* What a sentence asks by its first word and another. */
+static bool begins_as_work(const char *text, size_t length)
+{
+    const char *next = words_next(text);
+
+    if (words_are(text, WORDS_PLAIN) || words_is(text, "and"))      /* `and 1 row purl` */
+        return counts_rows_of(text, length);
+    if (words_is(text, "alternate"))
+        return has_either(text, "sections", "rows");
+    if (words_is(text, "work"))                                     /* a pattern by a name that no rows above have */
+        return has_either(text, "until", "till") && has_either(text, "pattern", "stitch");
+    if (words_is(text, "last") || words_is(text, "final"))          /* `Last row K` */
+        return words_are_rows(next) && words_are(words_next(next), WORDS_PLAIN);
+    return words_is(text, "rib") && *next == '.';                   /* `Rib as before.`, plainly */
+}
+
 /* `Now K 3, P 12, K 3 on the wrong side`, `Rib 2 and 2 for 6 rows`, `Change to stocking-stitch`, `Repeat from ** to **`:
  * a sentence that has stitches with their numbers, rows, a fabric, or asks to work again, so many times. */
 static bool asks_for_work(const char *text, size_t length)
 {
     static const char *const lead[] = {"repeat", "rep", "rib", "change", "continue", "cont", "proceed", "work", "do", "begin", "start", "go", "return"},
-                             *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"}, *const keep[] = {"keep", "keeping", "maintain", "maintaining"},
-                             *const advice[] = {"if", "when", "to", "for", "you", "the", "this", "these", "it", "we", "my", "your", "some", "there"};
-    size_t colon = strcspn(text, ":.\r\n");
+                             *const fabric[] = {"garter", "stocking", "stockinette", "moss", "seed"}, *const keep[] = {"keep", "keeping", "maintain", "maintaining"};
     int first = words_find(text, lead, sizeof lead / sizeof *lead), here = first < 0 && words_is(text, "knit") ? 0 : first, stitches = 0;
-    bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), until = prose_works_until(text);
-    bool again = words_line_has(text, "repeat") || words_line_has(text, "rep");
+    bool asks = first >= 0 && first < 2 && (memchr(text, '*', length) || words_line_has(text, "rows")), again = has_either(text, "repeat", "rep");
     bool heading = length > 0 && text[length - 1] == ':' ? prose_heads_rows(text, text + length) : first > 8 && words_row(prose_line_next(text));
 
-    if (words_find(text, advice, sizeof advice / sizeof *advice) >= 0 ||
-        (text[colon] == ':' && words_find(words_skip_blanks(text + colon + 1), advice, sizeof advice / sizeof *advice) >= 0))
+    if (is_advice(text))
         return false;
     for (size_t i = 0; i < length; i++) {
         const char *behind = words_next(text + i);
@@ -155,14 +182,10 @@ static bool asks_for_work(const char *text, size_t length)
         asks |= (words_are(text + i, WORDS_PLAIN | WORDS_WORK) || words_is(text + i, "rib")) && prose_rows_follow(behind);
         asks |= first >= 3 && !heading && words_find(text + i, fabric, 5) >= 0 && prose_fabric_follows(text + i);
     }
-    asks |= (words_are(text, WORDS_PLAIN) || words_is(text, "and")) && counts_rows_of(text, length);
-    asks |= first < 0 && words_line_has(text, "change") && (words_line_has(text, "continue") || words_line_has(text, "until"));
-    asks |= words_is(text, "alternate") && (words_line_has(text, "sections") || words_line_has(text, "rows"));
+    asks |= first < 0 && words_line_has(text, "change") && has_either(text, "continue", "until");
     asks |= first > 8 && words_line_has(text, "work");
-    asks |= words_is(text, "work") && (words_line_has(text, "until") || words_line_has(text, "till")) && (words_line_has(text, "pattern") || words_line_has(text, "stitch"));
-    asks |= (words_is(text, "last") || words_is(text, "final")) && words_are_rows(words_next(text)) && words_are(words_next(words_next(text)), WORDS_PLAIN);
-    asks |= words_is(text, "rib") && *words_next(text) == '.';      /* `Rib as before.`, plainly */
-    return asks || until || stitches > 1 || (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
+    return asks || stitches > 1 || begins_as_work(text, length) || prose_works_until(text) ||
+           (first == 2 && prose_row_count(text) > 0 && prose_row_count(text) < length);
 }
 
 /* `Keep three stitches on either side in garter stitch`. */

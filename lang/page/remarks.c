@@ -37,19 +37,11 @@ static bool behind_fabric(const char *text, size_t at)
 {
     static const char *const fabric[] = {"seed", "moss", "garter", "g", "st", "stocking", "stockinette", "rib", "ribbing"},
                              *const whole[] = {"seed", "moss", "garter", "stockinette", "rib", "ribbing"}, *const stitch[] = {"st", "stitch"};
-    bool named = false;
-    size_t end;
+    size_t word = words_before(text, at), first = words_before(text, word);
 
-    for (int words = 0; words < 2; words++) {
-        while (at > 0 && text[at - 1] == ' ')
-            at--;
-        for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
-            at--;
-        named |= words == 0 && words_find(text + at, stitch, 2) >= 0;
-        if (end == at || !named)
-            break;
-    }
-    return end > at && (named ? words_find(text + at, fabric, 9) : words_find(text + at, whole, 6)) >= 0;
+    if (words_find(text + word, stitch, 2) >= 0)
+        return first < word && words_find(text + first, fabric, sizeof fabric / sizeof *fabric) >= 0;
+    return words_find(text + word, whole, sizeof whole / sizeof *whole) >= 0;
 }
 
 /* `(knit all sts)`, `(one row knit, one row purl)`: how a fabric is worked. */

@@ -292,10 +292,7 @@ static bool is_between_rows(const char *text, size_t at)
         word--;
     if (end == word || !words_are_rows(text + word))
         return false;
-    while (word > 0 && text[word - 1] == ' ')
-        word--;
-    while (word > 0 && isalpha((unsigned char)text[word - 1]))
-        word--;
+    word = words_before(text, word);
     return !words_are(text + word, WORDS_AGAIN | WORDS_WORK) && !words_is(text + word, "as");
 }
 

@@ -70,13 +70,8 @@ static size_t read_sum(const char *text, struct sum *sum)
 static bool behind_times(const char *text, size_t at)
 {
     static const char *const times[] = {"times", "time", "twice", "once", "thrice", "more", "x"};
-    size_t end;
 
-    while (at > 0 && text[at - 1] == ' ')
-        at--;
-    for (end = at; at > 0 && isalpha((unsigned char)text[at - 1]);)
-        at--;
-    return end > at && words_find(text + at, times, sizeof times / sizeof *times) >= 0;
+    return words_find(text + words_before(text, at), times, sizeof times / sizeof *times) >= 0;
 }
 
 size_t sums_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])

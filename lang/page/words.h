@@ -85,6 +85,16 @@ static inline bool words_is_name(const char *text, const char *name)
     return strlen(name) == length && strncasecmp(text, name, length) == 0;
 }
 
+/* Where the word begins that stands before a place, over blanks; where none does, these begin. */
+static inline size_t words_before(const char *text, size_t at)
+{
+    while (at > 0 && text[at - 1] == ' ')
+        at--;
+    while (at > 0 && isalpha((unsigned char)text[at - 1]))
+        at--;
+    return at;
+}
+
 /* ---- on a line ---- */
 
 enum {

@@ -122,16 +122,6 @@ static size_t before_rows(const char *text, bool row)
     return rows_follow(end) || (row && row_follows(end)) ? (size_t)(end - text) : 0;
 }
 
-/* Where the word begins before a place, or the blanks, where none does. */
-static size_t word_before(const char *text, size_t at)
-{
-    while (at > 0 && text[at - 1] == ' ')
-        at--;
-    while (at > 0 && isalpha((unsigned char)text[at - 1]))
-        at--;
-    return at;
-}
-
 static bool behind_colon(const char *text, size_t at)
 {
     while (at > 0 && text[at - 1] == ' ')
@@ -142,7 +132,7 @@ static bool behind_colon(const char *text, size_t at)
 /* Whether so many rows, or a whole row behind its head, are worked before a place. */
 static bool behind_work(const char *text, size_t at)
 {
-    size_t word = word_before(text, at), number = word_before(text, word);
+    size_t word = words_before(text, at), number = words_before(text, word);
 
     if (words_are_rows(text + word))
         return words_are(text + number, WORDS_NUMBER) || (number > 0 && isdigit((unsigned char)text[number - 1]));

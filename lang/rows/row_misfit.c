@@ -71,9 +71,15 @@ static const char *sum_text(struct arena *arena, const struct row_text *row)
     return product || row->work->nruns > 1 || row->work->next ? sum : NULL;
 }
 
+/* The stitches of a width that a repeat leaves over. */
+static long long left_over(const struct fit *fit, long long width)
+{
+    return ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple;
+}
+
 static void hint_nearest(struct diag *diag, const char *what, const struct fit *fit, long long width)
 {
-    long long below = width - ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple, above = below + fit->multiple;
+    long long below = width - left_over(fit, width), above = below + fit->multiple;
 
     if (below >= fit->least && below > 0)
         diag_hint(diag, "%sthe nearest widths that fit are %lld and %lld", what, below, above);
@@ -100,7 +106,7 @@ static const char *beginning(struct arena *arena, const struct work *repeat, lon
 /* `*p4, k4; rep from * to last 3 sts` leaves 4 stitches over: the last repeat may be meant to break off there. */
 static void hint_broken_off(struct diag *diag, const struct row_text *row, const struct fit *fit, long long width)
 {
-    long long over = ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple, behind = 0;
+    long long over = left_over(fit, width), behind = 0;
     const struct work *repeat = row->work;
     const char *text;
 
@@ -171,7 +177,7 @@ void misfit_width(struct diag *diag, const struct row_text *row, const struct fi
 
 void misfit_hint_edges(struct diag *diag, const struct fit *fit, long long width)
 {
-    long long over = fit->multiple > 1 && width >= fit->least ? ((width - fit->plus) % fit->multiple + fit->multiple) % fit->multiple : 0;
+    long long over = fit->multiple > 1 && width >= fit->least ? left_over(fit, width) : 0;
 
     if (over)
         diag_hint(diag, "or work the %s left over as its edges, before the '*' and behind `to last ..`", stitches(diag->arena, over));
