@@ -109,9 +109,12 @@ static inline bool item_is_plain(const struct item *item)
 /* Which rows a head names: a number, a first and a last, or all of a kind. */
 enum all_kind { ALL_NONE, ALL_RS, ALL_WS, ALL_EVEN, ALL_ODD, ALL_OTHER, ALL_FOLLOWING, ALL_EVERY, ALL_RS_ROW, ALL_WS_ROW };
 
+struct all { enum all_kind kind; bool round; };
+
 struct row_numbers {
     struct expr        *first, *last;   /* last NULL: one row */
-    enum all_kind       all;
+    enum all_kind       all;            /* every row of this kind; or, where first is, */
+    enum all_kind       only;           /* those of first to last; ALL_NONE: each of them */
     enum side           side;           /* what stands behind this number */
     bool                round;          /* "and 3rd round" */
     struct span         span;

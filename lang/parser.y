@@ -65,7 +65,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     const char *text;
     enum side side;
     bool opposite;
-    struct { enum all_kind kind; bool round; } all;
+    struct all all;
     struct fabric fabric;
     struct { int of, plus; } parity;
     struct measure measure;
@@ -172,6 +172,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token <side> SIDE      "RS or WS"
 %token <side> WORKED_ON "RS or WS behind a row"
 %token <all> AND_ALL    "'and all rows'"
+%token <all> ONLY       "which of the rows"
 %token AND              "'and'"
 %token RANGE            "'-' between row numbers"
 %token REPEAT_ROWS      "'repeat rows'"
@@ -444,6 +445,8 @@ row_head:
                                         { $$ = syntax_head(parse, $ROW, $behind ? $behind : $side, $parts.first); $$.setup = true; }
 | SIDE ROW parts                        { $$ = syntax_head(parse, $ROW, $SIDE, $parts.first); }
 | ALL row_sides                         { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, $row_sides, ast_row_numbers(parse, @1, NULL, NULL, $ALL.kind)); }
+| ALL RANGE count                       { $$ = syntax_head(parse, $ALL.round ? SIDE_RS : SIDE_OPEN, SIDE_OPEN, ast_row_numbers(parse, @1, NULL, $count, $ALL.kind)); }
+| ALL parts                             { $$ = syntax_head_only(parse, @ALL, $ALL, $parts.first); }
 | SETUP row_sides                       { $$ = syntax_head(parse, $SETUP, $2, NULL); $$.setup = true; }
 | SETUP row_sides parts                 { $$ = syntax_head(parse, $SETUP, $2, $parts.first); $$.setup = true; }
 ;
@@ -464,6 +467,7 @@ part:
 | count[first] RANGE count[last]        { $$ = ast_row_numbers(parse, @$, $first, $last, ALL_NONE); }
 | ALL                                   { $$ = ast_row_numbers(parse, @$, NULL, NULL, $ALL.kind); $$->round = $ALL.round; }
 | ALL RANGE count                       { $$ = ast_row_numbers(parse, @1, NULL, $count, $ALL.kind); $$->round = $ALL.round; }
+| part[of] ONLY                         { $$ = $of; $$->only = $ONLY.kind; }
 | part[of] SIDE                         { $$ = $of; $$->side = $SIDE; }
 | part[of] ROW_WORD                     { $$ = $of; $$->round |= $ROW_WORD == SIDE_RS; }
 ;

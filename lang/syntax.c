@@ -31,6 +31,17 @@ static enum side side_of_first(const struct row_numbers *numbers)
     return SIDE_OPEN;
 }
 
+/* `Rows 2-6 (WS)`: one text on one side is that of every second row. */
+static void mark_only(struct row_numbers *numbers, enum side side)
+{
+    for (struct row_numbers *part = numbers; part && side; part = part->next) {
+        int n = last_number(part) - row_number(part->first);
+
+        if (part->last && n > 0 && n % 2 == 0 && !part->only)
+            part->only = side == SIDE_RS ? ALL_RS : ALL_WS;
+    }
+}
+
 struct row syntax_head(struct parse *parse, enum side round, enum side side, struct row_numbers *numbers)
 {
     struct row row = {.round = round == SIDE_RS, .side = side, .numbers = numbers};
@@ -48,7 +59,21 @@ struct row syntax_head(struct parse *parse, enum side round, enum side side, str
     row.starting = side || row.round ? SIDE_OPEN : side_of_first(numbers);
     if (row.starting)
         row.side = SIDE_OPEN;
+    if (!row.round)
+        mark_only(numbers, row.side);
     return row;
+}
+
+/* `WS rows 2-6`, `even rows 2, 4 and 6`. */
+struct row syntax_head_only(struct parse *parse, struct span span, struct all all, struct row_numbers *numbers)
+{
+    enum side side = all.kind == ALL_RS ? SIDE_RS : all.kind == ALL_WS ? SIDE_WS : SIDE_OPEN;
+
+    for (struct row_numbers *part = numbers; part; part = part->next) {
+        part->only = all.kind == ALL_EVERY || all.kind == ALL_FOLLOWING ? ALL_NONE : all.kind;
+        part->span = span_join(span, part->span);
+    }
+    return syntax_head(parse, all.round ? SIDE_RS : SIDE_OPEN, side, numbers);
 }
 
 struct row syntax_bare_head(struct parse *parse, struct span span, enum side round)

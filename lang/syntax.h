@@ -21,6 +21,7 @@ void syntax_too_deep(struct parse *, struct span);
 void syntax_star_is_left(struct parse *, struct span);  /* a star that no `rep from *` follows */
 
 struct row syntax_head(struct parse *, enum side round, enum side, struct row_numbers *);
+struct row syntax_head_only(struct parse *, struct span, struct all, struct row_numbers *);
 /* Rows without numbers: "knit 4 rows" (no count: every row), "work 6 rows in st st". */
 struct row syntax_plain_rows(struct parse *, struct span, struct span word, const char *stitch, struct expr *count,
                              enum side round);

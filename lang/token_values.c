@@ -338,8 +338,8 @@ void scanner_all(KNIT_STYPE *value, const char *text)
 
     value->all.round = ends_with_round(text);
     value->all.kind = ALL_EVERY;
-    for (; *text && value->all.kind == ALL_EVERY; text += strspn(text, " \t\f\v-")) {
-        size_t length = strcspn(text, " \t\f\v-");
+    for (; *text && value->all.kind == ALL_EVERY; text += strspn(text, " \t\f\v-)")) {
+        size_t length = strcspn(text, " \t\f\v-)");
 
         for (size_t i = 0; i < sizeof words / sizeof *words; i++)
             if (length == strlen(words[i].word) && strncasecmp(text, words[i].word, length) == 0)

@@ -224,6 +224,8 @@ static void put_numbers(struct writer *w, const struct row_numbers *part, const 
         PUT("%s", p == part ? "" : p->next ? ", " : " and ");
         if (p->all)
             put_all(w, p, "all");
+        else if (p->last && (p->only == ALL_EVEN || p->only == ALL_ODD))
+            PUT("%s-%s (%s)", count(w, p->first), count(w, p->last), p->only == ALL_ODD ? "odd" : "even");
         else
             PUT("%s%s%s", count(w, p->first), p->last ? "-" : "", p->last ? count(w, p->last) : "");
 

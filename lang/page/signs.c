@@ -315,33 +315,24 @@ static size_t glued_length(const char *text, size_t at, char plain[static SIGNS_
     return n;
 }
 
-/* Of `Odd-numbered rows (1, 3, 5):`, or without brackets, the words before `rows`, and the brackets: their bytes. */
+/* A bracket of `Odd-numbered rows (1, 3, 5):`: its byte; or 0. */
 static size_t listed_length(const char *text, size_t at)
 {
-    static const char *const parity[] = {"odd", "even", "uneven"}, list[] = "0123456789,& and";
-    size_t n = words_find(text + at, parity, 3) >= 0 ? words_length(text + at) : 0, open = at + n, end;
+    static const char list[] = "0123456789,&-\xe2\x80\x93 and";
+    size_t open = at, end = at;
 
-    if (n) {
-        open += strspn(text + open, " -");
-        open += words_is(text + open, "numbered") ? 9 : 0;
-        n = open - at;
-        if (words_row(text + open))
-            return n;
-        open += words_are_rows(text + open) ? words_length(text + open) + 1 : 0;
-    }
     if (text[at] == ')') {      /* the other is blank by now */
         while (open > 0 && strchr(list, text[open - 1]))
             open--;
-        end = at;
     } else {
-        end = text[open] == '(' ? open + 1 + strspn(text + open + 1, list) : open;
+        end = text[at] == '(' ? at + 1 + strspn(text + at + 1, list) : at;
         open -= open > 0;
     }
     if (text[end] != ')' || end < open + 4 || text[end + 1] != ':')
         return 0;
     while (open > 0 && isalpha((unsigned char)text[open - 1]))
         open--;
-    return words_are_rows(text + open) ? n + !n : 0;
+    return words_are_rows(text + open);
 }
 
 /* `then` of `K2, then K1, P1 to last 2 sts, K2`, behind which the repeat begins that has no star. */

@@ -25,6 +25,14 @@ bool row_labels_go_on(struct eval *eval, struct row_labels *labels, int last, st
     return true;
 }
 
+/* The first of rows of one kind, of which every second is. */
+static long long first_only(enum all_kind only, long long first, long long last)
+{
+    bool odd = only == ALL_ODD || only == ALL_RS, by_number = only == ALL_EVEN || only == ALL_ODD;
+
+    return only != ALL_OTHER && (by_number || (last - first) % 2) && first % 2 != odd ? first + 1 : first;
+}
+
 bool row_labels_evaluate(struct eval *eval, struct where where, const struct row_numbers *part,
                             struct row_labels *labels)
 {
@@ -45,7 +53,11 @@ bool row_labels_evaluate(struct eval *eval, struct where where, const struct row
             diag_error(eval->diag, CODE_ROW_NUMBER, part->span, "rows %lld-%lld go backwards", first, last);
             return false;
         }
-        for (long long label = first; label <= last; label++)
+        if (part->only && first_only(part->only, first, last) > last) {
+            diag_error(eval->diag, CODE_ROW_NUMBER, part->span, "row %lld is not %s", first, part->only == ALL_ODD ? "odd" : "even");
+            return false;
+        }
+        for (long long label = part->only ? first_only(part->only, first, last) : first; label <= last; label += part->only ? 2 : 1)
             if (!add_label(eval, labels, label, part->span))
                 return false;
     }

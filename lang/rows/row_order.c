@@ -147,19 +147,30 @@ void row_list_doubt_side(struct row_list *list, struct row_text *const *text, in
     diag_hint(list->diag, "`Row 1 (RS)` if it is meant for the right side");
 }
 
+/* Rows of one text for all WS rows end with a WS row; not where the last of these are written out: `Rows 56-61: garter`. */
+static bool ends_filled(const struct row_list *list, int n)
+{
+    bool filled = false;
+
+    if (!n || (list->norder + n) % 2 == 0 || !filler_for(list, list->first + n, row_list_side(list, list->norder + n)))
+        return false;
+    for (int i = 0; i < n; i++)
+        filled |= !list->pending[i];
+    return !filled || !list->pending[n - 2];
+}
+
 /* The pending rows once, gaps filled by `all .. rows`. */
 void rows_work(struct row_list *list)
 {
     int n = list->npending;
 
-    /* A pattern of RS rows with one text for all WS rows ends with a WS row. */
     if (!n && !list->filler)
         return;
     find_start(list);
     if (!n && (!list->norder || rows_described(list)))
         n = filler_for(list, list->first, row_list_side(list, list->norder)) == filler_for(list, list->first + 1, row_list_side(list, list->norder + 1)) ? 1 : 2;
-    else if (n && (list->norder + n) % 2 && filler_for(list, list->first + n, row_list_side(list, list->norder + n)))
-        n++;
+    else
+        n += ends_filled(list, n);
     if (!list->filler)
         row_list_doubt_side(list, list->pending, list->npending);
     for (int i = 0; i < n && !list->failed; i++) {
