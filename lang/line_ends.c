@@ -174,6 +174,16 @@ bool scanner_is_repeat(const struct scanner *scanner)
            scanner->statement == TOKEN_REPEAT_STARRED;
 }
 
+bool scanner_said_how_often(const struct scanner *scanner)
+{
+    static const int last[] = {TOKEN_TIMES, TOKEN_TWICE, TOKEN_MORE, TOKEN_TOTAL, TOKEN_ROW_WORD};
+
+    for (size_t i = 0; i < sizeof last / sizeof *last; i++)
+        if (scanner->previous == last[i])
+            return scanner->statement != TOKEN_ROW && scanner->statement != TOKEN_NEXT_ROWS;
+    return false;
+}
+
 bool scanner_repeat_goes_on(const struct scanner *scanner)
 {
     static const char *const words[] = {"until", "till", "for"};

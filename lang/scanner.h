@@ -170,6 +170,9 @@ bool scanner_is_repeat(const struct scanner *);
 /* Whether the next line says how often the rows named on this one are repeated. */
 bool scanner_repeat_goes_on(const struct scanner *);
 
+/* Whether a statement that is no row has said how often, or how many rows: a comma may end it. */
+bool scanner_said_how_often(const struct scanner *);
+
 /* Whether one that ends with the line is open. */
 bool scanner_in_bracket(const struct scanner *);
 

@@ -2,6 +2,9 @@
  * Edges that a page asks to be kept in a fabric of their own, in its words. */
 #include "lang/page/edges.h"
 
+#include <stdio.h>
+#include <string.h>
+
 #include "lang/page/words.h"
 
 enum { MOST = 1000 };       /* stitches of an edge */
@@ -30,7 +33,7 @@ static bool is_place(const char *text, struct said *said)
     return sides || first || last || stitches || words_find(text, both, 3) >= 0 || words_find(text, other, sizeof other / sizeof *other) >= 0;
 }
 
-/* Takes the word or number at a place; false: the sentence says more than edges. */
+/* Takes the word or number at a place; false: the sentence says more than edges.  `Always knit the first and last stitch`: of garter. */
 static bool take_word(const char *text, struct said *said)
 {
     static const char *const fabric[] = {"garter", "seed", "moss"};
@@ -39,7 +42,7 @@ static bool take_word(const char *text, struct said *said)
         return true;
     if (words_find(text, fabric, 3) >= 0 && !said->fabric)
         said->fabric = text;
-    else if (words_number(text) && !said->n)
+    else if (words_number(text) && (!said->n || said->n == words_number(text)))
         said->n = words_number(text);
     else
         return false;
@@ -76,4 +79,64 @@ size_t edges_length(const char *text, struct kept_edges *edges, const char **fab
     *edges = (struct kept_edges){.n = said.n, .fabric = words_is(said.fabric, "garter") ? FABRIC_GARTER : FABRIC_SEED};
     *fabric = said.fabric;
     return (size_t)(*at == ',' ? skip_in_pattern(words_skip_blanks(at + 1)) - text : at - text);
+}
+
+/* ---- sentences without a verb of keeping ---- */
+
+static bool begins_sentence(const char *text, size_t at)
+{
+    while (at > 0 && strchr(" \t*-", text[at - 1]))
+        at--;
+    return at == 0 || strchr("\r\n.:", text[at - 1]);
+}
+
+/* `Note: always`, `Remember to`. */
+static const char *skip_lead(const char *text)
+{
+    static const char *const words[] = {"note", "notes", "remember", "always", "to", "be", "sure", "make", "the", "you", "will", "should"};
+
+    while (words_find(text, words, sizeof words / sizeof *words) >= 0) {
+        text = words_next(text);
+        text = words_skip_blanks(text + (*text == ':' || *text == ',' || *text == '-'));
+    }
+    return text;
+}
+
+/* Whether it is said of every row. */
+static bool says_every(const char *text, const char *end)
+{
+    static const char *const word[] = {"every", "each", "all", "always", "throughout", "both"};
+
+    for (; text < end; text += words_length(text) ? words_length(text) : 1)
+        if (words_find(text, word, sizeof word / sizeof *word) >= 0)
+            return true;
+    return false;
+}
+
+size_t edges_said(const char *text, size_t start, char *plain, size_t room)
+{
+    static const char *const verb[] = {"are", "is", "be", "worked", "knitted", "kept", "done", "for", "a", "border", "form", "will"};
+    struct said said = {0};
+    const char *at = skip_lead(text + start);
+    bool one = false, knit = words_is(at, "knit") || words_is(at, "k");
+
+    if (!begins_sentence(text, start))
+        return 0;
+    if (knit || words_is(at, "work"))
+        at = words_is(words_next(at), "the") ? words_next(words_next(at)) : words_next(at);
+    if (!words_is(at, "first"))
+        return 0;
+    for (; *at && !words_ends_line(*at) && !strchr(".,:;(", *at); at = words_skip_blanks(words_length(at) ? words_next(at) : words_behind_number(at))) {
+        one |= words_is(at, "st") || words_is(at, "stitch");
+        if (words_is(at, "knit") || words_is(at, "k"))
+            knit = true;
+        else if (words_find(at, verb, sizeof verb / sizeof *verb) < 0 && !take_word(at, &said))
+            return 0;
+    }
+    said.n = said.n ? said.n : one && !said.fabric;
+    if (!said.n || said.n > MOST || !said.last || !said.stitches || (!knit && !said.fabric) || !says_every(text + start, at) || (*at && strchr(",:", *at)))
+        return 0;
+    snprintf(plain, room, "with %d edge sts %.6s", said.n, said.fabric && !words_is(said.fabric, "garter") ? "seed" : "garter");
+    at += *at == '(' ? strcspn(at, ")\r\n") + 1 : 0;
+    return (size_t)(at - text) - start;
 }

@@ -19,4 +19,8 @@ static inline bool edges_is(const char *text)
     return edges_length(text, &edges, &fabric) > 0;
 }
 
+/* The bytes of `Note: the first and last 4 sts of every row are knit` from a place on, and what says it as a sentence that
+ * keeps edges does; 0: none stands there. */
+size_t edges_said(const char *text, size_t start, char *plain, size_t room);
+
 #endif

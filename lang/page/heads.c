@@ -401,9 +401,17 @@ size_t heads_length(const char *text, bool inside, bool *stop)
     return (length = part_length(text)) || (length = inside ? 0 : bind_off_length(text)) ? length : first_row_length(text);
 }
 
+/* The `20 sts` of `multiple of 4 (20 sts)`. */
+static bool is_alone(const char *text, size_t open, size_t number, size_t end)
+{
+    end += strspn(text + end, " ");
+    return text[open] == '(' && number == open + 1 && text[end + (words_are_stitches(text + end) ? words_length(text + end) : 0)] == ')';
+}
+
 size_t heads_example(const char *text, size_t *number)
 {
-    static const char *const named[] = {"i", "we", "sample", "shown", "example", "mine", "used", "eg", "e", "such", "photo", "model", "pictured", "ex", "say"},
+    static const char *const named[] = {"i", "we", "sample", "shown", "example", "mine", "used", "eg", "e", "such", "photo", "model", "pictured", "ex", "say",
+                                         "approx", "approximately", "about", "around", "roughly"},
                              *const multiple[] = {"multiple", "multiples", "even", "odd", "any", "number"}, *const once[] = {"sts", "st", "stitches"},
                              *const did[] = {"did", "used", "have", "had", "on"};
     size_t line = words_line_within(text, WORDS_REACH), at = 0, from = 0, word = 0, n;
@@ -419,8 +427,9 @@ size_t heads_example(const char *text, size_t *number)
         if (from && !n && isdigit((unsigned char)text[at])) {
             if (*number || (text[from] == '.' && words_find(text + word, did, 5) < 0))
                 return 0;
-            *number = words_is(text + word, "plus") ? 0 : at;
+            *number = words_is(text + word, "plus") && word > from ? 0 : at;
             n = strspn(text + at, "0123456789");
+            said |= is_alone(text, from, at, at + n);
         } else if (*number && n && text[from] != '(' && words_find(text + at, once, 3) < 0) {
             return 0;
         }

@@ -113,12 +113,14 @@ static bool is_row_text(const char *text)
     return syntax_is_row(text) && !is_side(text) && !(repeat && prose_repeats_rows(text + words_length(text)));
 }
 
-/* `Repeat rows 1` before `and 2 until`, `Rows 1` before `and 3: knit`. */
+/* `Repeat rows 1` before `and 2 until`, `Rows 1` before `and 3: knit`, `1st and` before `3rd rows: knit`. */
 static bool names_rows(struct piece piece, const char *next)
 {
     static const char *const word[] = {"and", "to", "through", "thru"};
     const char *rows = piece.text;
 
+    if (piece.length && (words_ordinal_length(rows) || words_are_rows(rows)) && words_find(last_word(piece), word, 4) >= 0)
+        return isdigit((unsigned char)*next) || words_ordinal_length(next);
     if (!piece.length || !isdigit((unsigned char)piece.text[piece.length - 1]) || words_find(next, word, 4) < 0 || !isdigit((unsigned char)*words_next(next)))
         return false;
     while (words_length(rows) && !words_are_rows(rows))

@@ -278,14 +278,27 @@ double lengths_wanted(const char *phrase, bool *part)
 
 /* ---- rows counted behind a length ---- */
 
-/* Whether `14 inches`, `2" [5 cm]` ends before a place. */
+/* Before the comma, and the `long` or `in length`, that stand before a place. */
+static size_t before_long(const char *text, size_t at)
+{
+    static const char *const words[] = {"long", "length", "tall", "high", "deep"};
+    size_t before;
+
+    for (; at > 0 && strchr(" ,", text[at - 1]); at--)
+        ;
+    before = words_before(text, at);
+    if (words_find(text + before, words, 5) < 0)
+        return at;
+    return before_long(text, words_is(text + before, "length") ? words_before(text, before) : before);
+}
+
+/* Whether `14 inches`, `2" [5 cm] long,` ends before a place. */
 static bool ends_length(const char *text, size_t at)
 {
     double millimetres;
     size_t unit;
 
-    while (at > 0 && text[at - 1] == ' ')
-        at--;
+    at = before_long(text, at);
     if (at > 0 && strchr(")]", text[at - 1])) {
         for (at--; at > 0 && !strchr("([\r\n", text[at]);)
             at--;
@@ -304,7 +317,7 @@ static bool ends_length(const char *text, size_t at)
 /* Behind words of a list and the blanks and stops between. */
 static const char *skip_list(const char *text, const char *const *word, int n)
 {
-    for (text += strspn(text, " ~"); words_find(text, word, n) >= 0; text += strspn(text, " .~"))
+    for (text += strspn(text, " ~"); words_find(text, word, n) >= 0; text += strspn(text, " .~\r\n"))
         text += words_length(text);
     return text;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * A place of a text in, what stands for it plainly out: `(left border)` is
  * nothing, `fifteen times` is 15 times, `Row 1 ~ k2` has a dash. */
+#include "lang/page/edges.h"
 #include "lang/page/signs.h"
 
 #include <ctype.h>
@@ -495,6 +496,12 @@ static bool is_between(const char *text, size_t at)
     return at > 0 && (is_between_stitches(text, at) || is_between_rows(text, at));
 }
 
+/* Edges that are kept, in a sentence without a verb of keeping. */
+static size_t kept_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    return edges_said(text, at, plain, SIGNS_PLAIN);
+}
+
 /* Each sign or remark: what it may begin with, whether at a word's begin alone, and either what tells its bytes and its
  * plain text, or its bytes, for blanks, or that it is one, of so many bytes for a plain text. The first that fits counts. */
 static const struct sign {
@@ -507,6 +514,7 @@ static const struct sign {
     const char *plain;
 } signs[] = {
     {",;.(-", false, .says = sums_length},
+    {"fFtTkKwWaArRnN", true, .says = kept_length},
     {",([", false, .says = lengths_count},
     {"([", false, .says = caption_length},
     {"tTyYnNsS", true, .says = remarks_said},

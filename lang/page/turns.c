@@ -296,6 +296,7 @@ const struct phrase turns_of_pages[] = {
     {"=cast -? =on stitches|sts|count|number : =#", ""},
     {"^ i|we|you|i've =cast|casted =on =#", ""},
     {"=cast -? =on ( =# =sts|stitches )", ""},
+    {"=multiple|multiples =of =# =sts|stitches? ( plus|+ # extra|more? for|edge|balancing? edge|edges|border|borders|symmetry|st|sts|stitches? )", "+ #"},
     {"cast -? on the|your? stitches|sts : =to|with|using|cast|begin|start", ""},
     {"=cast -? =on loosely|tightly|firmly =#", ""},
     {"=co loosely|tightly|firmly =#", ""},
