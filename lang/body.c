@@ -272,9 +272,54 @@ static bool next_text(struct eval *eval, struct where where, struct row_run *run
     return run->text != NULL;
 }
 
+static bool stands_for(const struct row_numbers *part, int label)
+{
+    for (; part; part = part->next) {
+        int first = part->all || part->first->kind != EXPR_NUMBER ? 0 : (int)part->first->number.value,
+            last = first && part->last && part->last->kind == EXPR_NUMBER ? (int)part->last->number.value : first;
+
+        if (part->all || (first <= label && label <= last))
+            return true;
+    }
+    return false;
+}
+
+/* Whether the row behind the first of `Rows 2-6 (WS)` is written by itself, above or below. */
+static bool is_between_written(const struct stmt *stmt, const struct body *body)
+{
+    int label = (int)stmt->row.numbers->first->number.value + 1;
+
+    if (rows_find(body->rows, label))
+        return true;
+    for (stmt = stmt->next; stmt; stmt = stmt->next)
+        if (stmt->kind == STMT_ROW && stands_for(stmt->row.numbers, label))
+            return true;
+    return false;
+}
+
+/* `Rows 2-6 (WS): as row 1` where these are all the rows: the mark is that of the first. */
+static const struct row *begun_on(struct eval *eval, const struct stmt *stmt, const struct body *body)
+{
+    const struct row_numbers *numbers = stmt->row.numbers;
+    struct row *row;
+
+    if (!numbers || numbers->next || !numbers->last || numbers->all || !stmt->row.side || stmt->row.round || stmt->row.starting || stmt->row.setup ||
+        numbers->side == SIDE_OPEN || numbers->first->kind != EXPR_NUMBER || numbers->last->kind != EXPR_NUMBER ||
+        numbers->first->number.value >= numbers->last->number.value || is_between_written(stmt, body))
+        return &stmt->row;
+    row = arena_new(eval->arena, struct row);
+    *row = stmt->row;
+    row->numbers = arena_new(eval->arena, struct row_numbers);
+    *row->numbers = *numbers;
+    row->numbers->only = ALL_NONE;
+    row->starting = row->side;
+    row->side = SIDE_OPEN;
+    return row;
+}
+
 static bool run_row(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
-    const struct row *row = &stmt->row;
+    const struct row *row = begun_on(eval, stmt, body);
     struct row_run run = {.row = row};
     bool all = false;
     long long n;
@@ -318,21 +363,28 @@ static bool is_by_name(const struct stmt *stmt, const struct stmt *cast_on)
 }
 
 /* What a cast-on behind rows makes of them: they are the piece, where nothing follows it; or a pattern that
- * is worked from there on, `Cast on 24 sts. Knit 2 rows. Work rows 1-4 3 times`; or it is misplaced. */
-enum rows_before { ROWS_PIECE, ROWS_PATTERN, ROWS_MISPLACED };
+ * is worked from there on, `Cast on 24 sts. Knit 2 rows. Work rows 1-4 3 times`; or one that is written out again
+ * below, edges and all; or it is misplaced. */
+enum rows_before { ROWS_PIECE, ROWS_PATTERN, ROWS_MISPLACED, ROWS_DESCRIBED };
+
+static bool begins_at_1(const struct row_numbers *numbers)
+{
+    return !numbers->all && numbers->first->kind == EXPR_NUMBER && numbers->first->number.value == 1;
+}
 
 static enum rows_before rows_before(const struct stmt *cast_on, const struct row_list *rows)
 {
-    bool follow = false, used = false, numbered = false;
+    bool follow = false, used = false, numbered = false, again = false;
 
     for (const struct stmt *stmt = cast_on->next; rows_any(rows) && stmt; stmt = stmt->next) {
         if (is_by_name(stmt, cast_on))
             return ROWS_PATTERN;
+        again |= !numbered && stmt->kind == STMT_ROW && stmt->row.numbers && begins_at_1(stmt->row.numbers);
         numbered |= stmt->kind == STMT_ROW && stmt->row.numbers;
         follow |= stmt->kind == STMT_ROW;
         used |= stmt->kind == STMT_AGAIN && stmt->again.which != AGAIN_LAST;
     }
-    return numbered ? ROWS_MISPLACED : used ? ROWS_PATTERN : follow ? ROWS_MISPLACED : ROWS_PIECE;
+    return again ? ROWS_DESCRIBED : numbered ? ROWS_MISPLACED : used ? ROWS_PATTERN : follow ? ROWS_MISPLACED : ROWS_PIECE;
 }
 
 bool body_describes(const struct stmt *stmt)
@@ -363,6 +415,12 @@ static bool run_cast_on(struct eval *eval, struct where where, const struct stmt
         } else if (body->top)
             diag_hint(eval->diag, "write the cast-on above all rows, and below it the rows in the order they are worked");
         return false;
+    }
+    if (before == ROWS_DESCRIBED) {
+        diag_warning(eval->diag, CODE_PROSE, stmt->span, "the rows above the cast-on are read as text: they begin again at row 1 below it");
+        diag_hint(eval->diag, "to work them write them below the cast-on");
+        body->rows = rows_new(eval->arena, eval->diag);
+        rows_of_page(body->rows, &eval->main->facts);
     }
     if (before == ROWS_PATTERN)
         rows_define(body->rows);

@@ -600,6 +600,7 @@ again_once:
 | again_sum
 | again_sum ENDING_ROW                  { $$ = $again_sum; $$.ending = (int)$ENDING_ROW.value; }
 | ',' again_sum                         { $$ = $again_sum; }
+| again_sum FOR_PATTERN                 { $$ = $again_sum; }
 | FOR_PATTERN again_sum                 { $$ = $again_sum; }
 | FOR_PATTERN ',' again_sum             { $$ = $again_sum; }
 ;

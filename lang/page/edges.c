@@ -21,7 +21,7 @@ static bool is_place(const char *text, struct said *said)
 {
     static const char *const side[] = {"side", "sides", "edge", "edges", "end", "ends"}, *const both[] = {"each", "either", "both"},
                              *const other[] = {"at", "on", "of", "in", "the", "and", "as", "outer", "outside", "row", "rows", "every", "work", "piece", "needle",
-                                               "st", "stitch", "throughout", "always", "all", "times"};
+                                               "st", "stitch", "throughout", "always", "all", "times", "for", "a", "border", "borders"};
 
     bool sides = words_find(text, side, 6) >= 0, first = words_is(text, "first") || words_is(text, "beginning"), last = words_is(text, "last"),
          stitches = words_are_stitches(text);
@@ -115,7 +115,7 @@ static bool says_every(const char *text, const char *end)
 
 size_t edges_said(const char *text, size_t start, char *plain, size_t room)
 {
-    static const char *const verb[] = {"are", "is", "be", "worked", "knitted", "kept", "done", "for", "a", "border", "form", "will"};
+    static const char *const verb[] = {"are", "is", "be", "worked", "knitted", "kept", "done", "form", "will"};
     struct said said = {0};
     const char *at = skip_lead(text + start);
     bool one = false, knit = words_is(at, "knit") || words_is(at, "k");
