@@ -272,6 +272,7 @@ static bool next_text(struct eval *eval, struct where where, struct row_run *run
     return run->text != NULL;
 }
 
+/* Whether a row is among those named. */
 static bool stands_for(const struct row_numbers *part, int label)
 {
     for (; part; part = part->next) {
@@ -284,14 +285,16 @@ static bool stands_for(const struct row_numbers *part, int label)
     return false;
 }
 
-/* Whether the row behind the first of `Rows 2-6 (WS)` is written by itself, above or below. */
+/* Whether the row behind the first of `Rows 2-6 (WS)` is written by itself, above or near below. */
 static bool is_between_written(const struct stmt *stmt, const struct body *body)
 {
+    enum { NEAR = 100 };
     int label = (int)stmt->row.numbers->first->number.value + 1;
 
     if (rows_find(body->rows, label))
         return true;
-    for (stmt = stmt->next; stmt; stmt = stmt->next)
+    stmt = stmt->next;
+    for (int i = 0; stmt && i < NEAR; i++, stmt = stmt->next)
         if (stmt->kind == STMT_ROW && stands_for(stmt->row.numbers, label))
             return true;
     return false;

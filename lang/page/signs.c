@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * A place of a text in, what stands for it plainly out: `(left border)` is
  * nothing, `fifteen times` is 15 times, `Row 1 ~ k2` has a dash. */
-#include "lang/page/edges.h"
 #include "lang/page/signs.h"
 
 #include <ctype.h>
@@ -11,6 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page/edges.h"
 #include "lang/page/lengths.h"
 #include "lang/page/prose.h"
 #include "lang/page/prose_line.h"
