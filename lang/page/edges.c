@@ -42,7 +42,7 @@ static bool take_word(const char *text, struct said *said)
         return true;
     if (words_find(text, fabric, 3) >= 0 && !said->fabric)
         said->fabric = text;
-    else if (words_number(text) && (!said->n || said->n == words_number(text)))
+    else if (words_behind_number(text) && words_number(text) && (!said->n || said->n == words_number(text)))     /* not `1st` */
         said->n = words_number(text);
     else
         return false;
