@@ -114,13 +114,9 @@ static bool goes_to(const char *text)
 }
 
 /* `Repeat B:` above rows. */
-static bool is_heading(const char *text)
+static bool ends_in_colon(const char *text)
 {
-    size_t n = words_line_length(text);
-
-    while (n > 0 && strchr(" \t", text[n - 1]))
-        n--;
-    return n > 0 && text[n - 1] == ':' && !memchr(text, '*', n);
+    return words_sign_before(text, words_line_length(text), " \t") == ':' && !words_line_has_sign(text, "*");
 }
 
 /* In a row: after a comma, an open star or a colon, and before `rep from`. */
@@ -131,7 +127,7 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
 
     /* `rep from *`, `rep to end`; not `repeat for pattern`, `rep 1st and 2nd rows`. */
     if (words_is_name(text, "rep") || words_is_name(text, "repeat"))
-        return !prose_repeats_rows(text + length) && !is_heading(text);
+        return !prose_repeats_rows(text + length) && !ends_in_colon(text);
     if (words_is_name(text, "end") || words_is_name(text, "ending"))
         return ends_row(text + length + strspn(text + length, " \t"));
     if (words_is_name(text, "to"))

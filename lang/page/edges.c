@@ -83,13 +83,6 @@ size_t edges_length(const char *text, struct kept_edges *edges, const char **fab
 
 /* ---- sentences without a verb of keeping ---- */
 
-static bool begins_sentence(const char *text, size_t at)
-{
-    while (at > 0 && strchr(" \t*-", text[at - 1]))
-        at--;
-    return at == 0 || strchr("\r\n.:", text[at - 1]);
-}
-
 /* `Note: always`, `Remember to`. */
 static const char *skip_lead(const char *text)
 {
@@ -120,7 +113,7 @@ size_t edges_said(const char *text, size_t start, char *plain, size_t room)
     const char *at = skip_lead(text + start);
     bool one = false, knit = words_is(at, "knit") || words_is(at, "k");
 
-    if (!begins_sentence(text, start))
+    if (!strchr("\n.:", words_sign_before(text, start, " \t*-")))
         return 0;
     if (knit || words_is(at, "work"))
         at = words_is(words_next(at), "the") ? words_next(words_next(at)) : words_next(at);

@@ -49,12 +49,9 @@ size_t groups_braces(const char *text)
 
 size_t groups_sizes(const char *text, size_t at, const struct page_facts *facts)
 {
-    size_t before = at, length;
+    bool counts = facts->sizes && at > facts->sizes && isdigit((unsigned char)words_sign_before(text, at, " "));
     int n;
-
-    while (before > 0 && text[before - 1] == ' ')
-        before--;
-    length = facts->sizes && at > facts->sizes && before > 0 && isdigit((unsigned char)text[before - 1]) ? prose_sizes_length(text + at, &n) : 0;
+    size_t length = counts ? prose_sizes_length(text + at, &n) : 0;
     return length && n == facts->nsizes && (n > 1 || strchr(" ,", text[at + length])) ? length : 0;
 }
 

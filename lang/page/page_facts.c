@@ -19,9 +19,7 @@ static bool begins_block(const char *text)
 {
     size_t n = words_line_length(text);
 
-    while (n > 0 && strchr(" \t", text[n - 1]))
-        n--;
-    return (n > 0 && text[n - 1] == '{') || (memchr(text, '{', n) && !prose_reads(text, true) && words_is(text, "chart"));
+    return words_sign_before(text, n, " \t") == '{' || (memchr(text, '{', n) && !prose_reads(text, true) && words_is(text, "chart"));
 }
 
 /* Rows in a knitter's words, and no statement of the language's own. */

@@ -80,21 +80,17 @@ static bool row_ends(const char *line, size_t n)
 /* Whether a line's first row may stand there: at its beginning, behind a sentence, or row 1 apart from it. */
 static bool begins(const char *line, size_t at, const struct head *head)
 {
-    size_t blanks = 0;
+    bool apart = at > 2 && strspn(line + at - 3, " \t*") > 2;
 
-    while (blanks < at && strchr(" \t*", line[at - blanks - 1]))
-        blanks++;
-    return blanks == at || (head->first == 1 && (strchr(".:;", line[at - blanks - 1]) || blanks > 2));
+    return (apart && head->first == 1) || strchr(head->first == 1 ? "\n.:;" : "\n", words_sign_before(line, at, " \t*"));
 }
 
 /* `K Repeat these 10 rows`, `k4 Repeat rows 1-4`: another sentence behind the rows. */
 static bool repeats(const char *line, size_t at)
 {
-    size_t length, before = at;
+    size_t length;
 
-    while (before > 0 && strchr(" \t", line[before - 1]))
-        before--;
-    if (before > 0 && line[before - 1] == ':')      /* `Rows 3 to 6: Repeat rows 1 and 2 twice` */
+    if (words_sign_before(line, at, " \t") == ':')  /* `Rows 3 to 6: Repeat rows 1 and 2 twice` */
         return false;
     return line[at] == 'R' && words_are(line + at, WORDS_AGAIN) && row_ends(line, at) && repeats_kind(line + at, &length) != 0;
 }
@@ -120,16 +116,8 @@ static void part_rows(char *line, size_t length)
 
 /* ---- the cast-on behind a page's materials ---- */
 
-/* Whether a full stop is the last sign before. */
-static bool behind_stop(const char *line, size_t at)
-{
-    while (at > 0 && strchr(" \t", line[at - 1]))
-        at--;
-    return at > 0 && line[at - 1] == '.';
-}
-
-/* `: Cast on 60 stitches`, `DISHCLOTH Cast on 46 sts`: whether a sentence may begin there, behind a mark or a heading's word. */
-static bool begins_sentence(const char *line, size_t at)
+/* `: Cast on 60 stitches`, `DISHCLOTH Cast on 46 sts`: whether it is behind a mark, or a heading's word. */
+static bool is_behind_heading(const char *line, size_t at)
 {
     size_t n = at, word;
 
@@ -175,11 +163,11 @@ static size_t cast_on_within(const char *line, size_t length)
     bool prose = prose_reads(line, false) && !headings_find(line, &heading);    /* whose reader finds it behind a stop */
 
     for (size_t at = 1; at < length && !prose_statement_follows(line); at++) {
-        size_t on = line[at] == 'C' && begins_sentence(line, at) ? prose_begins_cast_on(line + at) : 0;
+        size_t on = line[at] == 'C' && is_behind_heading(line, at) ? prose_begins_cast_on(line + at) : 0;
         const char *sts = on ? words_behind_number(words_skip_blanks(line + at + on)) : NULL;
 
         if (sts && words_are_stitches(sts))
-            return !(prose && behind_stop(line, at)) && !has_row(line, at, false) && has_row(sts, length - (size_t)(sts - line), true) ? at : 0;
+            return !(prose && words_sign_before(line, at, " \t") == '.') && !has_row(line, at, false) && has_row(sts, length - (size_t)(sts - line), true) ? at : 0;
     }
     return 0;
 }

@@ -33,11 +33,9 @@ static int count_stars(const char *text)
 /* Whether nothing but blanks stands before on the line, or a sentence ends there. */
 static bool begins(const char *text, size_t at)
 {
-    size_t end = at;
+    bool blank = at > 0 && strchr(" \t", text[at - 1]);
 
-    while (end > 0 && strchr(" \t", text[end - 1]))
-        end--;
-    return end == 0 || words_ends_line(text[end - 1]) || (end < at && strchr(".:)", text[end - 1]));
+    return strchr(blank ? "\n.:)" : "\n", words_sign_before(text, at, " \t"));
 }
 
 static bool ends_line(const char *text)

@@ -38,11 +38,7 @@ static bool behind_stitch(const char *text, size_t at)
 /* Whether nothing but blanks and marks of a list stands before, on the line. */
 static bool begins_line(const char *text, size_t at)
 {
-    size_t margin = at > WORDS_MARGIN ? at - WORDS_MARGIN : 0;
-
-    while (at > margin && strchr(" \t*-", text[at - 1]))
-        at--;
-    return at == 0 || words_ends_line(text[at - 1]);
+    return words_sign_before(text, at, " \t*-") == '\n';
 }
 
 static bool breaks(const char *text, const struct found *found)
@@ -131,11 +127,7 @@ static bool put_plain(char *text, const struct found *found, const char *plain)
 /* The same, or that a sentence ends before. */
 static bool begins_sentence(const char *text, size_t at)
 {
-    size_t end = at;
-
-    while (end > 0 && strchr(" \t", text[end - 1]))
-        end--;
-    return begins_line(text, at) || (end < at && end > 0 && text[end - 1] == '.');
+    return begins_line(text, at) || (strchr(" \t", text[at - 1]) && words_sign_before(text, at, " \t") == '.');
 }
 
 /* A text that is copied before the first change of it. */
@@ -382,11 +374,8 @@ static void put_stars(struct wording *w, size_t rep)
 static void put_described_rib(struct wording *w, size_t at)
 {
     char plain[RIBS_PLAIN];
-    size_t length, before = at;
+    size_t length = strchr("\n.;", words_sign_before(w->text, at, " \t")) ? ribs_length(w->text + at, plain) : 0;
 
-    while (before > 0 && strchr(" \t", w->text[before - 1]))
-        before--;
-    length = before == 0 || strchr(".;\r\n", w->text[before - 1]) ? ribs_length(w->text + at, plain) : 0;
     if (length)
         put_blanks(w, at, length, plain);
 }
@@ -411,7 +400,7 @@ static bool begins_word(const struct wording *w, size_t at)
 }
 
 /* `Middle:`, `Second half:`, and no more on the line. */
-static bool is_heading(const char *line)
+static bool is_part_name(const char *line)
 {
     size_t n = strcspn(line, ":\r\n");
 
@@ -425,7 +414,7 @@ static void put_line(struct wording *w, size_t at, int depth)
 
     if (mark < w->size && !words_ends_line(w->text[mark]))
         put_head(w, mark, depth > 0 || goes_on(w, at));
-    if (is_heading(w->written + mark))
+    if (is_part_name(w->written + mark))
         w->heading = mark;
     if (mark > at && w->text[mark - 1] == '-' && prose_statement_follows(w->text + mark))
         memset(own_text(w) + at, ' ', mark - at);
@@ -434,11 +423,9 @@ static void put_line(struct wording *w, size_t at, int depth)
 /* Takes the bracket around a whole row, `Row 1: {(k1, p1) to last st, k1} across`, and what is said of it. */
 static void put_whole_row(struct wording *w, size_t at)
 {
-    size_t close = groups_close(w->text + at), end = at + close + 1, before = at;
+    size_t close = groups_close(w->text + at), end = at + close + 1;
 
-    while (before > 0 && strchr(" \t", w->text[before - 1]))
-        before--;
-    if (!close || (before > 0 && !strchr(":\r\n", w->text[before - 1])) || !groups_fill_row(w->text + at, close))
+    if (!close || !strchr("\n:", words_sign_before(w->text, at, " \t")) || !groups_fill_row(w->text + at, close))
         return;
     end += strspn(w->text + end, " ");
     end += words_one_of("across|to end|to the end", w->text + end);

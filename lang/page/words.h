@@ -95,6 +95,14 @@ static inline size_t words_before(const char *text, size_t at)
     return at;
 }
 
+/* The sign before a place, over others; '\n': a line begins there.  `\n.:` are signs that a sentence begins behind. */
+static inline char words_sign_before(const char *text, size_t at, const char *over)
+{
+    while (at > 0 && strchr(over, text[at - 1]))
+        at--;
+    return at == 0 || text[at - 1] == '\r' ? '\n' : text[at - 1];
+}
+
 /* ---- on a line ---- */
 
 enum {

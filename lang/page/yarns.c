@@ -122,13 +122,6 @@ static size_t before_rows(const char *text, bool row)
     return rows_follow(end) || (row && row_follows(end)) ? (size_t)(end - text) : 0;
 }
 
-static bool behind_colon(const char *text, size_t at)
-{
-    while (at > 0 && text[at - 1] == ' ')
-        at--;
-    return at > 0 && text[at - 1] == ':';
-}
-
 /* Whether so many rows, or a whole row behind its head, are worked before a place. */
 static bool behind_work(const char *text, size_t at)
 {
@@ -136,7 +129,7 @@ static bool behind_work(const char *text, size_t at)
 
     if (words_are_rows(text + word))
         return words_are(text + number, WORDS_NUMBER) || (number > 0 && isdigit((unsigned char)text[number - 1]));
-    return words_are(text + word, WORDS_PLAIN) && behind_colon(text, word);
+    return words_are(text + word, WORDS_PLAIN) && words_sign_before(text, word, " ") == ':';
 }
 
 /* `with B`, `in red` behind `knit 2 rows` or behind `Row 1: knit`, at a sentence's end. */
@@ -156,20 +149,18 @@ static size_t behind_rows(const char *text, size_t at)
 static size_t in_head(const char *text, size_t at)
 {
     bool plain, side = text[at] == ',';
-    size_t blanks = strspn(text + at + 1, " "), n = colour_length(text + at + 1 + blanks, &plain), before = at, end = at + 1 + blanks + n;
+    size_t blanks = strspn(text + at + 1, " "), n = colour_length(text + at + 1 + blanks, &plain), end = at + 1 + blanks + n;
 
     if (!n || text[end] != ')' || *words_skip_blanks(text + end + 1) != ':')
         return 0;
     if (side)
         return at > 2 && text[at - 3] == '(' && words_are(text + at - 2, WORDS_SIDE) ? end - at : 0;
-    while (before > 0 && text[before - 1] == ' ')
-        before--;
-    return before > 0 && isdigit((unsigned char)text[before - 1]) ? end + 1 - at : 0;
+    return isdigit((unsigned char)words_sign_before(text, at, " ")) ? end + 1 - at : 0;
 }
 
 size_t yarns_length(const char *text, size_t at, bool begins)
 {
-    bool row = behind_colon(text, at);
+    bool row = words_sign_before(text, at, " ") == ':';
 
     if (text[at] == '(' || text[at] == ',')
         return in_head(text, at);
