@@ -19,7 +19,7 @@ liblang_a_SOURCES = lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c 
     lang/page/page_facts.c lang/page/page_key.h lang/page/page_key.c lang/page/page_sides.h lang/page/page_sides.c \
     lang/page/phrases.h lang/page/phrases.c lang/page/printed.h lang/page/printed.c lang/page/printed_heads.c \
     lang/page/printed_parts.h lang/page/printed_words.c lang/page/prose.h lang/page/prose.c lang/page/prose_line.h \
-    lang/page/prose_line.c lang/page/prose_parts.c lang/page/remarks.h lang/page/remarks.c lang/page/repeats.h \
+    lang/page/prose_line.c lang/page/prose_asides.c lang/page/prose_parts.c lang/page/prose_rows.c lang/page/remarks.h lang/page/remarks.c lang/page/repeats.h \
     lang/page/repeats.c lang/page/edges.h lang/page/edges.c lang/page/ribs.h lang/page/ribs.c lang/page/row_phrases.h lang/page/row_phrases.c \
     lang/page/run_on.h lang/page/run_on.c lang/page/signs.h lang/page/signs.c lang/page/starred.h \
     lang/page/starred.c lang/page/sums.h lang/page/sums.c lang/page/turns.h lang/page/turns.c lang/page/wording.h lang/page/wording.c \
@@ -41,5 +41,5 @@ lang/lexer.c: lang/lexer.l
 	    if grep -q yy_state_buf $@; then echo "lang/lexer.l: trailing context of any length" >&2; rm -f $@; exit 1; fi
 lang/lexer.$(OBJEXT) lang/parser.$(OBJEXT) lang/scanner.$(OBJEXT) lang/token_values.$(OBJEXT) \
     lang/unreadable.$(OBJEXT) lang/brackets.$(OBJEXT) lang/line_ends.$(OBJEXT) lang/syntax.$(OBJEXT) lang/syntax_errors.$(OBJEXT) lang/expected.$(OBJEXT) lang/parse.$(OBJEXT) \
-    lang/ast.$(OBJEXT) lang/page/prose.$(OBJEXT) lang/page/prose_parts.$(OBJEXT) lang/page/repeats.$(OBJEXT) lang/format/format.$(OBJEXT) lang/format/row_words.$(OBJEXT) lang/format/spelling.$(OBJEXT) \
+    lang/ast.$(OBJEXT) lang/page/prose.$(OBJEXT) lang/page/prose_asides.$(OBJEXT) lang/page/prose_parts.$(OBJEXT) lang/page/repeats.$(OBJEXT) lang/format/format.$(OBJEXT) lang/format/row_words.$(OBJEXT) lang/format/spelling.$(OBJEXT) \
     lang/format/tokens.$(OBJEXT): lang/parser.h
