@@ -331,10 +331,10 @@ size_t heads_cast_on(const char *text)
 /* `Border`, `Edging`: the name of a part of a piece, no abbreviation. */
 static bool is_part(const char *text)
 {
-    static const char *const words[] = {"border", "edge", "edging", "edges", "body", "setup", "set", "main", "center", "centre", "top", "bottom", "rib", "ribbing",
-                                        "hem", "cuff", "base", "start", "end", "begin", "pattern", "next", "repeat", "last", "first"};
+    static const char *const words[] = {"edges", "setup", "set", "main", "center", "centre", "top", "bottom", "rib", "ribbing", "cuff", "base",
+                                        "start", "end", "begin", "pattern", "next", "repeat", "last", "first"};
 
-    return words_find(text, words, sizeof words / sizeof *words) >= 0;
+    return words_are(text, WORDS_PART) || words_find(text, words, sizeof words / sizeof *words) >= 0;
 }
 
 /* Of `CO | Cast on 12 sts |` the first cell goes, of `| K | Knit |` and of a table's head all. */

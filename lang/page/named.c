@@ -75,12 +75,11 @@ static bool is_name_with_figures(const char *text, size_t length)
 /* `Border`, `BODY:`, and no more of the line: a heading that parts of a piece have. */
 static bool is_part(const char *line)
 {
-    static const char *const word[] = {"border", "body", "edging", "edge", "band", "hem"};
     size_t length = strcspn(line, "(:\r\n");
     bool part = false;
 
     for (size_t at = 0; at < length; at += words_length(line + at) ? words_length(line + at) : 1)
-        part |= words_find(line + at, word, 6) >= 0;
+        part |= words_are(line + at, WORDS_PART) || words_is(line + at, "band");
     return part && line[length] != '(' && prose_line_ends(line + length + (line[length] == ':'));
 }
 

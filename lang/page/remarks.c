@@ -16,8 +16,8 @@
 
 bool remarks_are(const char *text, size_t length)
 {
-    static const char *const where[] = {"border", "borders", "edge", "edges", "edging", "selvedge", "selvage", "center", "centre", "middle",
-                                        "panel", "body", "main", "left", "bottom", "top", "margin", "corner", "sts", "stitches", "ridge", "fold", "hem"},
+    static const char *const where[] = {"borders", "edges", "selvedge", "selvage", "center", "centre", "middle", "panel", "main", "left", "bottom",
+                                        "top", "margin", "corner", "sts", "stitches", "ridge", "fold"},
                              *const work[] = {"wrong", "all", "st", "stitch", "and", "end"};
     bool found = false;
 
@@ -27,7 +27,7 @@ bool remarks_are(const char *text, size_t length)
             return false;
         if (n && (words_are(text + at, WORDS_OF_ROW) || words_find(text + at, work, sizeof work / sizeof *work) >= 0))
             return false;
-        found |= n && words_find(text + at, where, sizeof where / sizeof *where) >= 0;
+        found |= n && (words_are(text + at, WORDS_PART) || words_find(text + at, where, sizeof where / sizeof *where) >= 0);
     }
     return found;
 }

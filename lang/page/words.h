@@ -195,6 +195,7 @@ enum words_class {
     WORDS_NTH    = 1 << 14, /* first to twelfth */
     WORDS_THEN   = 1 << 15, /* then, now */
     WORDS_BIND   = 1 << 16, /* bind, bo */
+    WORDS_PART   = 1 << 17, /* border, body, hem: a part of a piece */
 
     /* what a row's text has, and a remark has not */
     WORDS_OF_ROW = WORDS_PLAIN | WORDS_AGAIN | WORDS_ROW | WORDS_SIDE | WORDS_TIMES | WORDS_OFTEN
