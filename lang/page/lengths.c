@@ -247,13 +247,14 @@ static int other_row(const char *text)
 
 int lengths_ending(const char *phrase, int *other)
 {
-    static const char *const end[] = {"end", "ends", "ending", "finish", "finishing"}, *const of[] = {"with", "on", "after", "by", "working", "a", "the", "pattern", "patt"};
+    static const char *const end[] = {"end", "ends", "ending", "finish", "finishing"}, *const of[] = {"with", "on", "after", "by", "having", "working", "worked", "just", "completing", "completed", "completion", "of",
+                                               "either", "a", "the", "pattern", "patt"};
     const char *at = phrase;
 
     *other = 0;
     while (*at && words_find(at, end, 5) < 0)
         at += words_length(at) ? words_length(at) : 1;
-    if (!*at || words_find(words_next(at), of, 4) < 0)
+    if (!*at || words_find(words_next(at), of, 5) < 0)
         return 0;
     for (at = words_next(at); words_find(at, of, sizeof of / sizeof *of) >= 0;)
         at = words_next(at);
