@@ -186,6 +186,43 @@ static void warn_open(struct eval *eval, const struct stmt *stmt, const struct a
     }
 }
 
+static bool is_single(const struct row *row)
+{
+    const struct row_numbers *numbers = row->numbers;
+
+    return !row->count && !row->times && (!numbers || (!numbers->next && !numbers->last && !numbers->all));
+}
+
+/* Where the next `Repeat the last 16 rows` begins; the rows of each `Repeat last row for 8 rows` from this statement to there are those
+ * with the row above, or (`more`) others behind it. -1: nothing says so. */
+static long long block_place(struct eval *eval, struct where where, const struct stmt *stmt, const struct body *body, bool more)
+{
+    enum { FARTHEST = 50 };
+    long long end = rows_count(body->rows), last, n;
+
+    for (int i = 0; stmt && i < FARTHEST; i++, stmt = stmt->next) {
+        if (stmt->kind == STMT_PROSE || (stmt->kind == STMT_ROW && is_single(&stmt->row))) {
+            end += stmt->kind == STMT_ROW;
+            continue;
+        }
+        if (stmt->kind != STMT_AGAIN || stmt->again.which != AGAIN_LAST || !eval_whole(eval, where, stmt->again.last, 1, LIMIT_ROWS, "the number of rows", &last))
+            return -1;
+        if (last > 1)
+            return end - last;
+        if (stmt->again.kind != AGAIN_ROWS || !eval_whole(eval, where, stmt->again.n, 0, LIMIT_ROWS, "this number", &n))
+            return -1;
+        end += n - !(more || stmt->again.more);
+    }
+    return -1;
+}
+
+/* `Repeat last row for 8 rows` twice, then `the last 16 rows`: the row above is one of the 8 where these begin with a row so alone. */
+static bool counts_above(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, const struct body *body)
+{
+    return again->which == AGAIN_LAST && again->kind == AGAIN_ROWS && !again->more &&
+           rows_begin_at(body->rows, block_place(eval, where, stmt, body, false)) && !rows_begin_at(body->rows, block_place(eval, where, stmt, body, true));
+}
+
 /* What is left to work of n times or n rows in all, where the rows above are among them. */
 static long long left_to_work(const struct again *again, struct body *body, struct row_texts texts, long long n, bool described)
 {
@@ -343,7 +380,7 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         n = 1;
     if (!once)
         warn_open(eval, stmt, again, body, texts, n > 0);
-    n = left_to_work(again, body, texts, n, described);
+    n = left_to_work(again, body, texts, n, described || counts_above(eval, where, stmt, again, body));
     if (again->kind == AGAIN_UNTIL_ROWS)
         rows_again(body->rows, stmt->span, texts, 0, n);
     else if (again->kind >= AGAIN_ROWS && n)

@@ -621,7 +621,7 @@ again_counted:
 | UNTIL_LENGTH                          { $$ = syntax_again_until(parse, @$, $1); }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | CROSS count MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
-| FOR_ROWS count more ROW_WORD          { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count}; }
+| FOR_ROWS count more ROW_WORD          { $$ = (struct again){.kind = AGAIN_ROWS, .n = $count, .more = @more.start < @more.end}; }
 | FOR_ROWS count more ROW_WORD TOTAL    { $$ = (struct again){.kind = AGAIN_TOTAL_ROWS, .n = $count}; }
 | FOR_TOTAL count ROW_WORD              { $$ = (struct again){.kind = AGAIN_TOTAL_ROWS, .n = $count}; }
 | FOR_TOTAL count TIMES                 { $$ = (struct again){.kind = AGAIN_TOTAL, .n = $count}; }

@@ -265,6 +265,11 @@ bool rows_are_rib(struct row_texts texts)
     return texts.n > 0;
 }
 
+bool rows_begin_at(const struct row_list *list, long long place)
+{
+    return place >= 0 && place < list->norder && (place == 0 || list->order[place] != list->order[place - 1]);
+}
+
 bool rows_passed(const struct row_list *list, struct row_texts texts)
 {
     for (int i = 0; i < texts.n && list->norder; i++)

@@ -189,6 +189,9 @@ bool rows_good(const struct row_list *);
 bool rows_round(const struct row_list *);
 int rows_count(const struct row_list *);
 
+/* Whether the row at a place in the order of work, from 0, is another than the one before it. */
+bool rows_begin_at(const struct row_list *, long long place);
+
 /* The side the last row was worked on; SIDE_OPEN: there is none, or it is a round. */
 enum side rows_last_side(const struct row_list *);
 
