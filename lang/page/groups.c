@@ -96,3 +96,35 @@ bool groups_fill_row(const char *text, size_t close)
     behind += strspn(text + behind, " ");
     return words_one_of("to last|to end", text + behind) > 0 && strcspn(text + behind, "([{") > close - behind;
 }
+
+/* Whether so far stands `to end`, `across to the last 2 sts`, and no more. */
+static bool says_how_far(const char *text, const char *end)
+{
+    bool to = false;
+
+    for (size_t n; text < end; text = words_skip_blanks(text + n)) {
+        n = words_one_of("to|until|till|across|last|end|the|of|this|row|round|rnd", text);
+        to |= words_one_of("last|end", text) > 0;
+        if (!n && to && words_behind_number(text))
+            n = (size_t)(words_behind_number(text) - text);
+        n = !n && to && words_are_stitches(text) ? words_length(text) : n;
+        if (!n)
+            return false;
+    }
+    return to;
+}
+
+size_t groups_repeated(const char *text, size_t close)
+{
+    static const char *const times[] = {"times", "time", "twice", "thrice", "x", "more"};
+    const char *behind = words_skip_blanks(text + close + 1), *number = words_behind_number(behind);
+    size_t at = 1;
+
+    while (at < close && !words_one_of("to|until|till|across", text + at) && !strchr("([{*", text[at]))
+        at += words_length(text + at) ? words_length(text + at) : 1;
+    if (at == close || !says_how_far(text + at, text + close) || words_find(number ? number : behind, times, 6) >= 0)
+        return 0;
+    while (at > 1 && strchr(" ,", text[at - 1]))
+        at--;
+    return isdigit((unsigned char)text[at - 1]) && strchr(" ,", text[at]) ? at : 0;
+}

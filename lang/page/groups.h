@@ -21,4 +21,7 @@ size_t groups_said_again(const char *text, size_t at);
 size_t groups_close(const char *text);
 bool groups_fill_row(const char *text, size_t close);
 
+/* Of `(k1, p1 to last 2 sts)`, closed there, how far it groups what is repeated: behind p1. */
+size_t groups_repeated(const char *text, size_t close);
+
 #endif

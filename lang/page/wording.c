@@ -438,6 +438,17 @@ static void put_whole_row(struct wording *w, size_t at)
     memset(own_text(w) + at + close, ' ', end - at - close);
 }
 
+/* Closes the bracket of `k2, (k1, p1 to last 2 sts), k2` where what is repeated ends. */
+static void put_repeated(struct wording *w, size_t at)
+{
+    size_t close = groups_close(w->text + at), end = close && strchr(":,;.)*0123456789", words_sign_before(w->text, at, " \t")) ? groups_repeated(w->text + at, close) : 0;
+
+    if (!end)
+        return;
+    own_text(w)[at + end] = w->text[at + close];
+    own_text(w)[at + close] = ' ';
+}
+
 /* Brackets that only group: of further sizes, of a rib, braces of a measure or of stitches. */
 static void put_brackets(struct wording *w, size_t at)
 {
@@ -445,6 +456,8 @@ static void put_brackets(struct wording *w, size_t at)
 
     if (c && strchr("([{", c))
         put_whole_row(w, at);
+    if (w->text[at] == '(' || w->text[at] == '[')
+        put_repeated(w, at);
     if ((c == '(' || c == '[') && groups_sizes(w->text, at, w->facts))
         memset(own_text(w) + at, ' ', groups_sizes(w->text, at, w->facts));
     if (c == '(' && groups_said_again(w->text, at))
