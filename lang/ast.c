@@ -179,6 +179,7 @@ struct item *item_stitches(struct parse *parse, struct span span, const char *na
 }
 
 /* What they are called, which is how they are written. */
+const char item_placed[] = "pm", item_slipped[] = "sm", item_removed[] = "rm";
 const char item_same[] = "knit the knits and purl the purls", item_opposite[] = "purl the knits and knit the purls";
 
 struct item *item_below(struct parse *parse, struct span span, bool opposite, struct until until)
@@ -192,6 +193,21 @@ struct item *item_below(struct parse *parse, struct span span, bool opposite, st
 bool item_is_below(const struct item *item)
 {
     return item->kind == ITEM_STITCH && (item->more->name == item_same || item->more->name == item_opposite);
+}
+
+struct item *item_marker(struct parse *parse, struct span span, const char *done)
+{
+    struct item *item = item_new(parse, ITEM_STITCH, span);
+
+    item->more[0] = (struct item_more){.name = done, .until = {.span = span}};
+    return item;
+}
+
+bool item_is_marker(const struct item *item)
+{
+    const char *name = item->kind == ITEM_STITCH ? item->more->name : NULL;
+
+    return name && (name == item_placed || name == item_slipped || name == item_removed);
 }
 
 struct item *item_group(struct parse *parse, enum item_kind kind, struct span span, struct item *child,

@@ -69,6 +69,9 @@ enum until_kind {
     UNTIL_LAST_OR_ALL,  /* n times, alone or with stitches before it: "k1, p1 4 times" */
     UNTIL_MORE,         /* n more times */
     UNTIL_LAST,         /* to last n stitches */
+    UNTIL_MARKER,       /* to the marker ahead, to n stitches before it */
+    UNTIL_SECOND_MARKER,    /* to the row's second, */
+    UNTIL_LAST_MARKER,  /* to its last */
     UNTIL_END,          /* to end, across */
     UNTIL_FIT,          /* to end, but for what follows: "across, end k2" */
     UNTIL_LAST_REPEAT   /* the same, what follows being the last repeat's beginning: "ending last rep k2" */
@@ -320,6 +323,11 @@ struct item *item_stitch(struct parse *, struct span, const char *name, struct e
 extern const char item_same[], item_opposite[];
 struct item *item_below(struct parse *, struct span, bool opposite, struct until);
 bool item_is_below(const struct item *);
+
+/* Markers between two stitches: what is done with one there. */
+extern const char item_placed[], item_slipped[], item_removed[];
+struct item *item_marker(struct parse *, struct span, const char *done);
+bool item_is_marker(const struct item *);
 struct item *item_group(struct parse *, enum item_kind, struct span, struct item *child, struct until);
 
 /* `knit 2`: a number stands behind the name. */

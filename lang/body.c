@@ -10,6 +10,7 @@
 #include "lang/lower.h"
 #include "lang/rows/row_fit.h"
 #include "lang/rows/row_labels.h"
+#include "lang/rows/row_markers.h"
 
 /* ---- rows ---- */
 
@@ -50,6 +51,7 @@ static bool lower_as_row(struct eval *eval, struct where where, const struct row
         return false;
     }
     text->work = other->work;
+    text->marked = other->marked;
     text->on_ws = other->on_ws;
     text->cut = other->cut;
     text->failed = other->failed;
@@ -161,7 +163,10 @@ static bool lower_body(struct eval *eval, struct where where, const struct row *
         text->as_below = !from;
         return from < 0 ? pattern_is_open(eval, row, body) : !from || lower_as_row(eval, where, row, body, from, text);
     default:
-        return lower_items(eval, where, row->item, &text->work) && work_measure(eval->diag, text->work, &length);
+        if (!lower_items(eval, where, row->item, &text->work) || !work_measure(eval->diag, text->work, &length))
+            return false;
+        text->marked = work_has_marker(text->work);
+        return true;
     }
 }
 

@@ -61,6 +61,13 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
     case UNTIL_LAST:
         work->until = WORK_LAST;
         return true;
+    case UNTIL_MARKER:
+    case UNTIL_SECOND_MARKER:
+    case UNTIL_LAST_MARKER:
+        work->until = WORK_MARKER;
+        work->marker = until->kind == UNTIL_SECOND_MARKER ? MARKER_SECOND : until->kind == UNTIL_LAST_MARKER ? MARKER_LAST : MARKER_NEXT;
+        work->n = until->n ? n : 0;
+        return true;
     case UNTIL_END:
         /* `*k2, p2; rep from * to end, k1`: as far as leaves room for k1. */
         work->until = item->kind > ITEM_STITCH && item->next ? WORK_FIT : WORK_LAST;
@@ -160,6 +167,11 @@ static bool lower_item(struct eval *eval, struct where where, const struct item 
         *to = work;
         return true;
     }
+    if (item_is_marker(item)) {
+        work->mark = item->more->name == item_placed ? MARK_PLACED : item->more->name == item_slipped ? MARK_SLIPPED : MARK_REMOVED;
+        *to = work;
+        return true;
+    }
     if (item->kind == ITEM_STITCH) {
         if (!lower_stitch(eval, where, item, work, &bare))
             return false;
@@ -234,11 +246,21 @@ static bool end_last_repeat(struct eval *eval, struct work *work, struct span un
     return true;
 }
 
+/* Whether one item is the whole row, but for markers. */
+static bool is_alone(const struct item *item)
+{
+    int n = 0;
+
+    for (; item; item = item->next)
+        n += !item_is_marker(item);
+    return n == 1;
+}
+
 bool lower_items(struct eval *eval, struct where where, const struct item *item, struct work **first)
 {
     struct work *repeat = NULL;
     struct span until = {0};
-    bool alone = item && !item->next, good = true;
+    bool alone = is_alone(item), good = true;
 
     *first = NULL;
     for (; item; item = item->next) {

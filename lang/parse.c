@@ -11,7 +11,6 @@
 #include "lang/page/lettered.h"
 #include "lang/page/listed.h"
 #include "lang/limits.h"
-#include "lang/page/markers.h"
 #include "lang/page/marks.h"
 #include "lang/page/page_chart.h"
 #include "lang/page/prose.h"
@@ -272,7 +271,7 @@ static const char *plain_text(struct parse *parse)
     if (!page)
         return text;
     text = run_on_plain(arena, joined_plain(arena, text, size), size);
-    text = starred_plain(arena, markers_plain(arena, text, size), size);
+    text = starred_plain(arena, text, size);
     text = listed_plain(arena, lettered_plain(arena, text, size), size);
     text = named_plain(arena, text, size, &parse->named);
     return wording_plain(arena, text, size, &parse->facts);

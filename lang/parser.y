@@ -65,6 +65,8 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     const char *text;
     enum side side;
     bool opposite;
+    const char *marker;
+    enum until_kind to_marker;
     struct all all;
     struct fabric fabric;
     struct { int of, plus; } parity;
@@ -195,6 +197,9 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token TO_LAST          "'to last'"
 %token UNTIL            "'until'"
 %token REMAIN           "'remain'"
+%token <to_marker> TO_MARKER     "'to marker'"
+%token <to_marker> BEFORE_MARKER "'before marker'"
+%token <marker> MARKER  "a marker"
 %token STS              "'sts'"
 %token MORE             "'more'"
 %token TIMES            "'times'"
@@ -511,6 +516,7 @@ items:
 ;
 item:
   NAME                                  { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
+| MARKER                                { $$ = item_marker(parse, @$, $MARKER); }
 | AS_BELOW                              { $$ = item_below(parse, @$, $1, (struct until){UNTIL_FIT, NULL, @1}); }
 | AS_BELOW position                     { $$ = item_below(parse, @$, $1, $position); }
 | NAME position                         { $$ = item_stitch(parse, @$, $1, NULL, $position); }
@@ -542,6 +548,8 @@ position:
 | TO_LAST STS                           { $$ = (struct until){UNTIL_LAST, expr_number(parse, @$, 1, 0), @$}; }
 | TO_LAST count sts                     { $$ = (struct until){UNTIL_LAST, $count, @$}; }
 | UNTIL count sts REMAIN                { $$ = (struct until){UNTIL_LAST, $count, @$}; }
+| TO_MARKER                             { $$ = (struct until){$TO_MARKER, NULL, @$}; }
+| UNTIL count sts BEFORE_MARKER         { $$ = (struct until){$BEFORE_MARKER, $count, @$}; }
 ;
 times:
   count TIMES                           { $$ = (struct until){UNTIL_TIMES, $count, @$}; }

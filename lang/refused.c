@@ -9,7 +9,7 @@
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
 
-enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, MARKERS, ELSEWHERE, RIBS, MACHINE };
+enum reason { TOPOLOGY, SHORT_ROWS, COLOURS, ELSEWHERE, RIBS, MACHINE };
 enum { WORDS = 64, LONGEST = 100 };
 
 /* Each with the word and what it is. */
@@ -23,7 +23,6 @@ static const struct {
     [SHORT_ROWS] = {CODE_SHAPING, "'%s' (%s) leaves stitches of the row unworked; version 1 works every row to its end", NULL},
     [COLOURS] = {CODE_SHAPING, "'%s' (%s) is nothing version 1 can show: it knits with one yarn",
                  "the fold does not depend on colours: leave them out, and work the stitches alone"},
-    [MARKERS] = {CODE_ELSEWHERE, "'%s' (%s): where markers hang is not kept", "say the stitches: `k to last 4 sts`"},
     [ELSEWHERE] = {CODE_ELSEWHERE, "'%s' is %s; version 1 needs the row's stitches themselves",
                    "write the row out, edges and all; or make the panel a motif: `beside(tile(garter, 5, 2), panel, ..)`"},
     [MACHINE] = {CODE_ELSEWHERE, "'%s' (%s): a machine knits every row from one side, and here the sides take turns",
@@ -79,8 +78,6 @@ static const struct {
      {"mc", "cc", "cc#", "with", "using", "in a", "in b", "in c", "in mc", "in cc", "in white", "in black", "in red", "in blue", "in green",
       "in main", "in contrast", "colour*", "color*", "col", "yarn", "change",
       "switch"}},
-    {"a marker", MARKERS,
-     {"to *m", "to *marker", "until *m", "until *marker", "till *m"}},
     {"a rib whose stitches are not said", RIBS,
      {"rib", "rib#", "ribbing"}},
     {"a pattern that stands elsewhere", ELSEWHERE,

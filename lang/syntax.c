@@ -94,39 +94,48 @@ static bool is_counted(const struct source *source, const struct item *item)
     return words.count || words.figures.source || isdigit((unsigned char)words.name[words.length - 1]);
 }
 
-static void warn_repeat(struct parse *parse, struct span first, struct span last, const char *end)
+static void warn_repeat(struct parse *parse, struct span first, struct span last, enum until_kind until, const char *begins)
 {
+    const char *end = until == UNTIL_LAST ? "to last .. sts" : until == UNTIL_END ? "to end" : "to marker";
     struct span span = span_join(first, last);
     const char *text = first.source->text + first.start;
     int length = (int)(last.end - first.start);
 
     while (length > 0 && strchr(" ,;\t", text[length - 1]))
         length--;
-    diag_warning(parse->diag, CODE_ASSUMED_REPEAT, span, "where this repeat begins is not marked: at the row's first stitch");
+    diag_warning(parse->diag, CODE_ASSUMED_REPEAT, span, "where this repeat begins is not marked: %s", begins);
     diag_hint(parse->diag, "`*%.*s; rep from * %s`", length, text, end);
 }
 
-/* `k1, p1 to end`: nobody would write p1 for a purl to the end; the row is repeated. */
+/* `k1, p1 to end`: nobody would write p1 for a purl to the end; the row is repeated, from the marker behind which that stands. */
 static struct item *repeat_to_end(struct parse *parse, struct item *first)
 {
+    struct item *begin = first, *before = NULL, *group;
+
     for (struct item *item = first; item; item = item->next) {
         struct until until = item_until(parse->source, item);
         enum until_kind kind = until.kind;
-        struct item *group;
 
-        if (item->kind > ITEM_STITCH || (kind != UNTIL_ONCE && (item == first || !is_counted(parse->source, item))))
+        if (item_is_marker(item)) {
+            before = item;
+            begin = item->next;
+            continue;
+        }
+        if (item->kind > ITEM_STITCH || (kind != UNTIL_ONCE && (item == begin || !is_counted(parse->source, item))))
             return first;
         if (kind == UNTIL_ONCE)
             continue;
         if (kind == UNTIL_TIMES || kind == UNTIL_LAST_OR_ALL)
             return first;
-        warn_repeat(parse, item_span(parse->source, first), (struct span){parse->source, item->start, until.span.start},
-                    kind == UNTIL_LAST ? "to last .. sts" : "to end");
-        group = item_group(parse, ITEM_REP_FROM, span_join(item_span(parse->source, first), item_span(parse->source, item)), first, until);
+        warn_repeat(parse, item_span(parse->source, begin), (struct span){parse->source, item->start, until.span.start}, kind,
+                    before ? "behind the marker" : "at the row's first stitch");
+        group = item_group(parse, ITEM_REP_FROM, span_join(item_span(parse->source, begin), item_span(parse->source, item)), begin, until);
         group->next = item->next;
         item->next = NULL;
         item->more->until = (struct until){.span = item_span(parse->source, item)};
-        return group;
+        if (before)
+            before->next = group;
+        return before ? first : group;
     }
     return first;
 }
@@ -138,7 +147,7 @@ struct item *syntax_whole(struct parse *parse, struct span rep, struct item *fir
 
     while (last->next)
         last = last->next;
-    warn_repeat(parse, begin, item_span(parse->source, last), "to end");
+    warn_repeat(parse, begin, item_span(parse->source, last), UNTIL_END, "at the row's first stitch");
     group = item_group(parse, ITEM_REP_FROM, span_join(begin, rep), first, until);
     group->next = tail;
     return group;
@@ -281,15 +290,19 @@ struct expr *syntax_two_rows(struct parse *parse, struct span span)
 /* `k1, p1 3 times`: p1 alone, or both?  Where a row begins so its width may tell. */
 static void check_times(struct parse *parse, struct item *first, bool row)
 {
-    bool plain = row;
+    bool open = row;    /* no part of the row before this can be read in two ways */
 
-    for (struct item *item = first; item; plain &= item_is_plain(item), item = item->next) {
+    for (struct item *item = first; item; item = item->next) {
+        enum until_kind kind = item_until(parse->source, item).kind;
+
         if (item->kind > ITEM_STITCH)
             check_times(parse, item->more->child, false);
-        if (item == first || item->kind != ITEM_STITCH || item->more->until.kind != UNTIL_TIMES || !is_counted(parse->source, item))
+        open &= item->kind != ITEM_REP_FROM || kind != UNTIL_TIMES;
+        if (item == first || item->kind != ITEM_STITCH || kind != UNTIL_TIMES || !is_counted(parse->source, item))
             continue;
-        if (plain) {
+        if (open) {
             item->more->until.kind = UNTIL_LAST_OR_ALL;
+            open = false;
             continue;
         }
         diag_error(parse->diag, CODE_ROW_REPEAT, item_span(parse->source, item),

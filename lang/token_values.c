@@ -187,6 +187,22 @@ bool scanner_behind_turned(const struct scanner *scanner, struct span next)
     return scanner->turned && scanner->turned + strspn(scanner->parse->text + scanner->turned, " \t") == next.start;
 }
 
+/* `pm`, `slip the marker`, `remove m` */
+int scanner_marker(struct scanner *scanner, KNIT_STYPE *value, const char *text)
+{
+    value->marker = words_one_of("place|add|pm", text) ? item_placed : words_one_of("remove|rm", text) ? item_removed : item_slipped;
+    return scanner_token(scanner, TOKEN_MARKER);
+}
+
+/* `to the second marker`, `before m` */
+int scanner_to_marker(struct scanner *scanner, KNIT_STYPE *value, const char *text)
+{
+    bool before = words_one_of("before|from", text) > 0;
+
+    value->to_marker = strstr(text, "second") ? UNTIL_SECOND_MARKER : strstr(text, "last") ? UNTIL_LAST_MARKER : UNTIL_MARKER;
+    return scanner_token(scanner, before ? TOKEN_BEFORE_MARKER : TOKEN_TO_MARKER);
+}
+
 /* "knit the knits and purl the purls": as below; with the two exchanged: the opposite. */
 int scanner_below(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *text)
 {

@@ -13,6 +13,10 @@ int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);      /* `1 e
 int scanner_turned(struct scanner *, KNIT_STYPE *, const char *text);    /* `4 k`: a name */
 bool scanner_behind_turned(const struct scanner *, struct span next);   /* which stands before it */
 
+/* `slip the marker`; `to the next marker`. */
+int scanner_marker(struct scanner *, KNIT_STYPE *, const char *text);
+int scanner_to_marker(struct scanner *, KNIT_STYPE *, const char *text);
+
 /* `knit the knits and purl the purls`, or the knits purled and the purls knitted. */
 int scanner_below(struct scanner *, KNIT_STYPE *, struct span, const char *text);
 

@@ -60,6 +60,16 @@ static void put_times(struct writer *w, const struct expr *n, const char *more)
         PUT(" %s%s times", count(w, n), more);
 }
 
+static void put_to_marker(struct writer *w, const struct until *until)
+{
+    const char *which = until->kind == UNTIL_SECOND_MARKER ? "second " : until->kind == UNTIL_LAST_MARKER ? "last " : "";
+
+    if (until->n)
+        PUT(" to %s sts before %smarker", count(w, until->n), which);
+    else
+        PUT(" to %smarker", which);
+}
+
 static void put_until(struct writer *w, const struct until *until)
 {
     if (until->kind == UNTIL_TIMES || until->kind == UNTIL_LAST_OR_ALL || until->kind == UNTIL_MORE)
@@ -70,6 +80,8 @@ static void put_until(struct writer *w, const struct until *until)
         PUT(" to last %s sts", count(w, until->n));
     else if (until->kind == UNTIL_END)
         PUT(" to end");
+    else if (until->kind == UNTIL_MARKER || until->kind == UNTIL_SECOND_MARKER || until->kind == UNTIL_LAST_MARKER)
+        put_to_marker(w, until);
 }
 
 /* ---- stitches ---- */

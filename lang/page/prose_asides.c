@@ -129,6 +129,14 @@ bool prose_tells_of_row(const char *text)
     return words_find(text, tool, sizeof tool / sizeof *tool) >= 0 || told_words(text + strspn(text, "0123456789")) > 2;
 }
 
+bool prose_places_markers(const char *text)
+{
+    for (text = words_next(text); words_one_of("a|the|stitch|st", text); text = words_next(text))
+        ;
+    text += strspn(text, " \t\r\n");
+    return words_one_of("marker|markers", text) > 0;
+}
+
 bool prose_is_aside(const char *text)
 {
     size_t n = words_line_within(text, WORDS_REACH);

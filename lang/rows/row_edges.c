@@ -13,13 +13,14 @@ static int between_of(const struct row_edges *edges, int width)
 /* Whether a text fits so many stitches, and what it works then. */
 static bool works(struct row_list *list, const struct row_text *text, int width, stitch_id *worked)
 {
+    struct row_text row = *text;
     struct diag quiet;
 
     diag_init(&quiet, list->arena);
     memset(worked, STITCH_SAME, (size_t)width);
     if (width < 1)
         return false;
-    return text->as_below || text->as_opposite || (row_work(&quiet, text, width, WIDTH_CAST_ON, NULL, worked) && !quiet.nwarnings);
+    return text->as_below || text->as_opposite || (row_work(&quiet, &row, width, WIDTH_CAST_ON, NULL, worked) && !quiet.nwarnings);
 }
 
 /* Whether so many stitches are of the fabric: all knit, or in turns. */
@@ -55,6 +56,10 @@ static void decide(struct row_list *list, struct row_edges *edges, int width)
         /* Each text once, however often it is worked. */
         if (text->edges != edges || text->failed || text->seen)
             continue;
+        if (text->marked) {
+            between = false;    /* such a row has its edges: they are what is marked */
+            continue;
+        }
         text->seen = true;
         between &= works(list, text, between_of(edges, width), worked);
         all &= works(list, text, width, worked);
@@ -98,7 +103,7 @@ bool rows_keep_edges(struct row_list *list, const struct row_edges *last, int wi
     return true;
 }
 
-bool row_edges_work(struct diag *diag, const struct row_text *text, int width, enum width_from from, const struct row_text *before, stitch_id *worked)
+bool row_edges_work(struct diag *diag, struct row_text *text, int width, enum width_from from, const struct row_text *before, stitch_id *worked)
 {
     const struct row_edges *edges = text->edges;
     int inner = width - 2 * edges->n;

@@ -101,12 +101,11 @@ struct progress {
     long long at, left;
 };
 
-/* The stitches that follow an open repeat; -1 where that is open, too. */
-static long long length_behind(const struct work *work)
+long long work_length(const struct work *work)
 {
     long long length = 0;
 
-    for (work = work->next; work; work = work->next) {
+    for (; work; work = work->next) {
         if (fixed_length(work) < 0)
             return -1;
         length = least(many, length + fixed_length(work));
@@ -151,7 +150,7 @@ long long work_stop(const struct work *repeat, int *from)
     for (int i = 0; (run = next_run(&at)); i++, here = at) {
         if (i >= *from && goes_on_as(here, (struct run_at){repeat->next, 0})) {
             *from = i + 1;
-            return before + length_behind(repeat);
+            return before + work_length(repeat->next);
         }
         before += run->length;
     }
@@ -211,7 +210,7 @@ static struct work *fills_row(const struct row_text *row, const struct fit *fit,
                 return NULL;
             one = work;
         }
-    if (!one || fit->multiple || width <= fit->plus || (width - fit->plus) % one->length)
+    if (!one || !one->length || fit->multiple || width <= fit->plus || (width - fit->plus) % one->length)
         return NULL;
     *n = 1 + (width - fit->plus) / one->length;
     return one;
@@ -228,7 +227,7 @@ static void warn_fills(struct diag *diag, struct work *work)
 
 static bool open_end(struct diag *diag, const struct work *work, long long *left)
 {
-    *left = work->until == WORK_FIT ? length_behind(work) : work->n;
+    *left = work->until == WORK_FIT ? work_length(work->next) : work->n;
     if (*left >= 0)
         return true;
     diag_error(diag, CODE_ROW_REPEAT, work->span, "how far this repeat goes is open, and so is what follows");
@@ -243,21 +242,33 @@ static bool has_readings(const struct work *work)
     return work->until == WORK_EITHER || work->until == WORK_LAST_OR_ALL;
 }
 
+/* The stitches right before a part of a row, worked once; NULL: there are none. */
+static const struct work *runs_before(const struct row_text *row, const struct work *work)
+{
+    const struct work *before = row->work == work ? NULL : row->work;
+
+    while (before && before->next != work)
+        before = before->next;
+    return before && before->run && before->until == WORK_TIMES && before->n == 1 ? before : NULL;
+}
+
 int row_readings(const struct row_text *row, const struct work *work)
 {
-    return work->until == WORK_EITHER ? 2 : row->work == work ? 1 : row->work->nruns + 1;
+    const struct work *before = runs_before(row, work);
+
+    return work->until == WORK_EITHER ? 2 : before ? before->nruns + 1 : 1;
 }
 
 long long row_reading(const struct row_text *row, const struct work *work, int reading)
 {
-    const struct work *first = row->work;
+    const struct work *before = runs_before(row, work);
     long long length = times(work->length, work->n + (work->until == WORK_EITHER ? reading : 0));
 
-    for (const struct work *w = first; w; w = w->next)
+    for (const struct work *w = row->work; w; w = w->next)
         if (w != work && fixed_length(w) >= 0)
             length += fixed_length(w);
     for (int i = 0; work->until == WORK_LAST_OR_ALL && i < reading; i++)
-        length += times(first->run[first->nruns - 1 - i].length, work->n - 1);
+        length += times(before->run[before->nruns - 1 - i].length, work->n - 1);
     return length;
 }
 
@@ -277,33 +288,56 @@ static struct work *work_grouped(struct arena *arena, const struct work *runs, c
     for (int i = 0; i < nruns; i++)
         inner->length += inner->run[i].length;
     before->length -= inner->length;
+    group->until = WORK_TIMES;
+    if (!nruns) {
+        before->next = group;
+        return before;
+    }
     end->n = 1;
-    end->until = group->until = WORK_TIMES;
+    end->until = WORK_TIMES;
     end->next = NULL;
     inner->next = end;
     group->run = NULL;
     group->nruns = 0;
-    group->child = nruns ? inner : end;
+    group->child = inner;
     group->length = inner->length + end->length;
     before->next = group;
     return before->nruns ? before : group;
 }
 
-/* The row's work, with this reading of a part of it. */
-static struct work *work_read(struct arena *arena, struct work *from, const struct work *work, int reading)
+/* The row's work, with this reading of a part of it, `before` being the stitches right before. */
+static struct work *work_read(struct arena *arena, struct work *from, const struct work *work, const struct work *before, int reading)
 {
     struct work *copy = arena_new(arena, struct work);
 
-    if (work->until == WORK_LAST_OR_ALL)
+    if (from == before && work->until == WORK_LAST_OR_ALL)
         return work_grouped(arena, from, work, reading);
     *copy = *from;
     if (from == work) {
         copy->until = WORK_TIMES;
-        copy->n += reading;
+        copy->n += work->until == WORK_EITHER ? reading : 0;
     } else {
-        copy->next = work_read(arena, from->next, work, reading);
+        copy->next = work_read(arena, from->next, work, before, reading);
     }
     return copy;
+}
+
+/* Whether a row without parts of two readings has a width. */
+static bool comes_out(const struct work *work, long long width)
+{
+    long long at = 0, left;
+
+    for (; work; work = work->next) {
+        if (fixed_length(work) >= 0) {
+            at += fixed_length(work);
+            continue;
+        }
+        left = work->until == WORK_FIT ? work_length(work->next) : work->n;
+        if (left < 0 || width - left < at || (width - left - at) % work->length)
+            return false;
+        at = width - left;
+    }
+    return at == width;
 }
 
 /* Whether another part of the row reaches as far as it likes. */
@@ -315,23 +349,31 @@ static bool row_is_open(const struct row_text *row, const struct work *but)
     return false;
 }
 
-/* Of the readings of the part that can be read in two ways takes the one that makes the width; false, with a message, without one. */
+/* Of the readings of the part that can be read in two ways takes the one that makes the width; false, with a message, without
+ * one, or with several. */
 static bool read_at_width(struct diag *diag, struct row_text *row, long long width, const char *left)
 {
-    for (const struct work *work = row->work; work; work = work->next) {
-        int reading = 0;
+    struct work *read = NULL;
+    const struct work *work = row->work;
+    int n = 0;
 
-        if (!has_readings(work))
-            continue;
-        while (reading < row_readings(row, work) && row_reading(row, work, reading) != width)
-            reading++;
-        if (reading == row_readings(row, work)) {
-            misfit_readings(diag, row, work, row_is_open(row, work) ? NULL : left);
-            return false;
-        }
-        row->work = work_read(diag->arena, row->work, work, reading);
+    while (work && !has_readings(work))
+        work = work->next;
+    if (!work)
         return true;
+    for (int reading = 0; reading < row_readings(row, work); reading++) {
+        struct work *one = work_read(diag->arena, row->work, work, runs_before(row, work), reading);
+
+        if (comes_out(one, width)) {
+            read = one;
+            n++;
+        }
     }
+    if (n != 1) {
+        misfit_readings(diag, row, work, row_is_open(row, work) ? NULL : left);
+        return false;
+    }
+    row->work = read;
     return true;
 }
 
@@ -384,6 +426,9 @@ bool row_fit(struct diag *diag, const struct row_text *row, struct fit *fit)
     struct progress progress = {0};
 
     *fit = (struct fit){1, 0, 0};
+    for (const struct work *work = row->work; work; work = work->next)
+        if (work->until == WORK_MARKER)
+            return true;
     for (const struct work *work = row->work; work; work = work->next) {
         long long length = fixed_length(work);
 
@@ -478,13 +523,35 @@ static bool counts_group(const struct row_text *row)
     return last && last->child && last->until == WORK_TIMES && times(last->length, last->n) == row->check;
 }
 
-bool row_work(struct diag *diag, const struct row_text *text, int width, enum width_from from,
-              const struct row_text *before, stitch_id *worked)
+/* How often a part of a row is worked from a place on that is so many stitches from the end. */
+static long long times_at(const struct work *work, long long rest)
+{
+    if (work->until == WORK_LAST)
+        return (rest - work->n) / work->length;
+    return work->until == WORK_FIT ? (rest - work_length(work->next)) / work->length : work->n;
+}
+
+/* The row's work, each part with a number of times: `often` that which fills it. */
+static struct work *settled(struct arena *arena, const struct work *work, int width, const struct work *short_one, const struct work *filling, long long often)
+{
+    struct work *first = NULL, **to = &first;
+    long long rest = width;
+
+    for (; work; work = work->next, to = &(*to)->next) {
+        *to = arena_new(arena, struct work);
+        **to = *work;
+        (*to)->n = work == short_one ? rest / work->length + 1 : work == filling ? often : times_at(work, rest);
+        (*to)->until = WORK_TIMES;
+        rest -= times(work->length, (*to)->n);
+    }
+    return first;
+}
+
+bool row_work(struct diag *diag, struct row_text *row, int width, enum width_from from, const struct row_text *before, stitch_id *worked)
 {
     const char *left = misfit_left(diag->arena, from, before, width);
     stitch_id *to = worked, *end = worked + width;
     struct work *short_one = NULL, *filling = NULL;
-    struct row_text here = *text, *row = &here;
     long long stop, often = 1;
     struct fit fit;
 
@@ -512,19 +579,8 @@ bool row_work(struct diag *diag, const struct row_text *text, int width, enum wi
         return false;
     }
 
-    /* It fits: every repeat now has a number of times. */
-    for (const struct work *work = row->work; work; work = work->next) {
-        long long n = work->n;
-
-        if (work == short_one)
-            n = (end - to) / work->length + 1;
-        else if (work == filling)
-            n = often;
-        else if (work->until == WORK_LAST)
-            n = (end - to - work->n) / work->length;
-        else if (work->until == WORK_FIT)
-            n = (end - to - length_behind(work)) / work->length;
-        to = work_times(work, n, to, end);
-    }
+    row->work = settled(diag->arena, row->work, width, short_one, filling, often);
+    for (const struct work *work = row->work; work; work = work->next)
+        to = work_times(work, work->n, to, end);
     return to == end;
 }

@@ -10,7 +10,10 @@
  * False after an error. */
 bool work_measure(struct diag *, struct work *, long long *length);
 
-/* False after an error: the text contradicts itself. */
+/* The stitches of a list of work; -1: they are open. */
+long long work_length(const struct work *);
+
+/* False after an error: the text contradicts itself. Any width fits what is worked to a marker. */
 bool row_fit(struct diag *, const struct row_text *, struct fit *);
 
 /* `rep from * 3 times`, `k1, p1 3 times`: in how many ways a part of a row's work can be read, and how many
@@ -26,8 +29,7 @@ long long work_stop(const struct work *repeat, int *from);
 bool fit_join(const struct fit *, const struct fit *, struct fit *both);
 bool fit_has(const struct fit *, long long width);
 
-/* Writes `width` stitches in working order. False after an error. */
-bool row_work(struct diag *, const struct row_text *, int width, enum width_from, const struct row_text *before,
-              stitch_id *worked);
+/* Writes `width` stitches in working order; the row's work then has a number of times in each part. False after an error. */
+bool row_work(struct diag *, struct row_text *, int width, enum width_from, const struct row_text *before, stitch_id *worked);
 
 #endif

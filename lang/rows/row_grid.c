@@ -86,12 +86,28 @@ static bool work_end(struct row_list *list, const struct row_text *text, int wid
     return false;
 }
 
+/* A row's stitches in working order; markers hang in it, and behind it, where it is worked to them or hangs them. */
+static bool work_row(struct row_list *list, struct row_text *text, struct marked_row row, enum width_from from, const struct row_text *before, struct markers *markers, stitch_id *worked)
+{
+    row.text = text;
+    if (text->marked)
+        text->work = markers_reached(list->diag, markers, row);
+    if (text->marked && !text->work)
+        return false;
+    if (!(is_between(text) ? row_edges_work : row_work)(list->diag, text, row.width, from, before, worked) || !work_end(list, text, row.width, from, worked))
+        return false;
+    if (text->marked)
+        markers_worked(list->arena, markers, row);
+    return true;
+}
+
 const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from,
                              const stitch_id *ws)
 {
     stitch_id *cell, *worked = arena_array(list->arena, stitch_id, (size_t)width);
     int rows = height ? height : list->norder;
     struct grid *g = grid_new(list->arena, width, rows, &cell);
+    struct markers markers = {0};
     const struct row_text *before = NULL;
     bool good = true, shaped = false;
 
@@ -122,13 +138,13 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
                 to[x] = ws[to[x - width]];
         } else if (text->as_below && !is_between(text)) {
             memcpy(to, to - width, (size_t)width);
-        } else if (text->drawn[side]) {
+        } else if (text->drawn[side] && !text->marked) {
             memcpy(to, cell + (size_t)(text->drawn[side] - 1) * (size_t)width, (size_t)width);
         } else {
             struct row_text here = *text;
 
             here.work = side == SIDE_WS && text->on_ws ? text->on_ws : text->work;
-            if (!(is_between(text) ? row_edges_work : row_work)(list->diag, &here, width, from, before, worked) || !work_end(list, text, width, from, worked)) {
+            if (!work_row(list, &here, (struct marked_row){text, width, side, list->round}, from, before, &markers, worked)) {
                 good = false;
             } else if (i == 0 && row_draw_asks_below(worked, width)) {
                 good = nothing_below(list, text);

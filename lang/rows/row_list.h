@@ -3,6 +3,7 @@
 #ifndef WEFT_ROW_LIST_H
 #define WEFT_ROW_LIST_H
 
+#include "lang/rows/row_markers.h"
 #include "lang/rows/rows.h"
 
 /* The text that stands for every row of a kind. */
@@ -95,7 +96,7 @@ void row_list_check_side(struct row_list *, const struct row_text *, int i, int 
 void row_list_doubt_side(struct row_list *, struct row_text *const *text, int n);
 
 /* `row_work` of a text between its edges, and these. */
-bool row_edges_work(struct diag *, const struct row_text *, int width, enum width_from, const struct row_text *before, stitch_id *worked);
+bool row_edges_work(struct diag *, struct row_text *, int width, enum width_from, const struct row_text *before, stitch_id *worked);
 
 /* Where no row has decided on which side the work begins, the one worked next does. */
 void row_list_begin_on_side_of(struct row_list *, const struct row_text *);

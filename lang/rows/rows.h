@@ -17,11 +17,16 @@ enum work_until {
     WORK_EITHER,        /* n times, or n + 1: the text can be read both ways */
     WORK_LAST_OR_ALL,   /* n times, and with it the last runs before it, or none: the text can be read so */
     WORK_LAST,          /* until n stitches are left */
+    WORK_MARKER,        /* to n stitches before a marker */
     WORK_FIT            /* as often as leaves room for what follows */
 };
 
 /* In work, not in grids: what shows the same as the stitch below, or its other face; stitches of a fabric. */
 enum { STITCH_SAME = 255, STITCH_OTHER = 254, STITCH_SEED = 253, STITCH_GARTER = 252, STITCH_STOCKINETTE = 251, STITCH_REVERSE = 250 };
+
+/* What is done with a marker at a place of a row; which of those that hang there a row is worked to. */
+enum mark_done { MARK_NONE, MARK_PLACED, MARK_SLIPPED, MARK_REMOVED };
+enum marker { MARKER_NEXT, MARKER_SECOND, MARKER_LAST };
 
 /* So many stitches of a kind. */
 struct run {
@@ -41,6 +46,8 @@ struct work {
     bool            ending;     /* WORK_FIT: what follows may be the end of the last time, */
     bool            unmarked;   /* `k1, p1 to end`: where the repeat begins is not marked, nor what its last time is */
     bool            told;       /* which was said */
+    enum mark_done  mark;       /* no stitch: a marker's place */
+    enum marker     marker;     /* WORK_MARKER */
     bool            bare;       /* a group without a number of times: once, or as often as fills the row */
     struct work    *next;
 };
@@ -63,6 +70,7 @@ struct row_text {
     bool         as_opposite;   /* knits over purls, purls over knits */
     bool         cut;           /* `work` again and again, cut off behind its last or its first stitches */
     struct work *work;
+    bool         marked;        /* `work` has to do with markers */
     struct work *on_ws;         /* the work on the wrong side, where it is another; or NULL */
     struct work *end;           /* in place of its last stitches, of a row told by another; or NULL */
     long long    end_length;    /* so many */
