@@ -483,6 +483,7 @@ row_body:
 | STAR items check                      { $$ = (struct row){.item = syntax_open_star(parse, @STAR, NULL, $items.first), .check = $check, .check_span = @check}; }
 | elements STAR items                   { $$ = (struct row){.item = syntax_open_star(parse, @STAR, $elements.first, $items.first)}; }
 | elements STAR items check             { $$ = (struct row){.item = syntax_open_star(parse, @STAR, $elements.first, $items.first), .check = $check, .check_span = @check}; }
+| elements FABRIC                       { $$ = (struct row){.item = $1.first}; $1.last->next = syntax_fabric_stitches(parse, @2, $FABRIC, NULL, (struct until){UNTIL_END, NULL, @2}); }
 | elements check                        { $$ = (struct row){.item = $1.first, .check = $check, .check_span = @check}; }
 | elements REP_ALL until                { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, NULL)}; }
 | elements REP_ALL until check          { $$ = (struct row){.item = syntax_whole(parse, @2, $1.first, $until, NULL), .check = $check, .check_span = @check}; }

@@ -29,6 +29,15 @@ size_t row_phrases_star(const char *text, size_t at, char plain[static SIGNS_PLA
     return strlen(plain) <= close - at ? close - at : 0;
 }
 
+/* Behind words of a list and the blanks between. */
+static const char *skip_words(const char *text, const char *const *word, int n)
+{
+    text = words_skip_blanks(text);
+    while (words_find(text, word, n) >= 0)
+        text = words_next(text);
+    return text;
+}
+
 /* `k1`, `purl 2`: its bytes; or 0. */
 static size_t stitch_length(const char *text)
 {
@@ -88,15 +97,6 @@ size_t row_phrases_sided(const char *text, size_t at, char plain[static SIGNS_PL
     return second + on_side_length(text + second, &stitch[1], &side[1]) - at;
 }
 
-/* Behind words of a list and the blanks between. */
-static const char *skip_words(const char *text, const char *const *word, int n)
-{
-    text = words_skip_blanks(text);
-    while (words_find(text, word, n) >= 0)
-        text = words_next(text);
-    return text;
-}
-
 size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     static const char *const lead[] = {"work", "cont", "continue", "in", "the", "pattern", "patt", "pat", "until", "till", "you", "have", "there", "are", "worked"},
@@ -124,4 +124,45 @@ size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_
     end = skip_words(end, done, 11);
     snprintf(plain, SIGNS_PLAIN, until ? "rep %.*s %d-%d %d x in all" : "work %.*s %d-%d %d x", (int)words_length(rows), rows, atoi(first), atoi(last), n);
     return strchr(".,;\r\n", *end) && strlen(plain) + 1 < SIGNS_PLAIN && strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
+}
+
+/* Behind `3 edge sts`, `the last 3 stitches`; NULL: another text. *n: how many. */
+static const char *behind_some(const char *text, int *n)
+{
+    static const char *const which[] = {"the", "first", "last", "next", "other", "following", "remaining", "rem"}, *const of[] = {"edge", "border", "selvedge"};
+    const char *number = skip_words(text, which, 8), *sts = words_behind_number(number);
+
+    *n = sts ? words_number(number) : 0;
+    sts = sts ? skip_words(sts, of, 3) : NULL;
+    return sts && words_are_stitches(sts) && *n > 0 ? words_next(sts) : NULL;
+}
+
+/* Behind `seed st`, `in garter stitch`; NULL: another text. *name: that of the fabric. */
+static const char *behind_fabric(const char *text, const char **name)
+{
+    static const char *const in[] = {"in", "of", "the"}, *const fabrics[] = {"seed", "moss", "garter", "stockinette", "stocking"}, *const stitch[] = {"st", "stitch"};
+    int fabric;
+
+    text = skip_words(text, in, 3);
+    fabric = words_find(text, fabrics, 5);
+    *name = fabric < 0 ? NULL : fabric == 4 ? fabrics[3] : fabrics[fabric];
+    return fabric < 0 ? NULL : skip_words(words_next(text), stitch, 2);
+}
+
+size_t row_phrases_fabric(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const work[] = {"work", "knit", "keep", "keeping"};
+    const char *begin = skip_words(text + at, work, 4), *name, *fabric = behind_fabric(begin, &name), *end;
+    int n;
+
+    end = fabric ? behind_some(fabric, &n) : behind_some(begin, &n);
+    end = end && !fabric ? behind_fabric(end, &name) : end;
+    if (!end || (begin == text + at && !remarks_in_row(text, at)))
+        return 0;
+    if (!strchr(",;.)]\r\n", *end) && !words_are(end, WORDS_PLAIN))
+        return 0;
+    while (end[-1] == ' ')
+        end--;
+    snprintf(plain, SIGNS_PLAIN, "%s %d", name, n);
+    return strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
 }

@@ -528,6 +528,7 @@ static const struct sign {
     {"aA", true, .says = row_phrases_alternate},
     {"kKpP", true, .says = row_phrases_sided},
     {"wWcC", true, .says = row_phrases_repeats},
+    {"wWkKfFlLnNoOrRgGsSmMtT0123456789", true, .says = row_phrases_fabric},
     {"\t", false, .skips = remarks_column},
     {"p", true, .is = is_plain_row, 5, "knit"},
     {"([rRwW", true, .says = side_head_length},

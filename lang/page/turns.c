@@ -322,10 +322,6 @@ const struct phrase turns_of_pages[] = {
 
     /* some stitches of a fabric */
     {"=seed|moss|garter|stockinette|stocking|st|g =st|stitch|sts? over|for|across the? next|first|last|following|center|centre? =# =sts|stitches|st", ""},
-    {"work # sts|stitches in moss st|stitch?", "moss #"},
-    {"work # sts|stitches in seed st|stitch?", "seed #"},
-    {"work # sts|stitches in garter st|stitch?", "garter #"},
-    {"work # sts|stitches in stockinette|stocking|st st|stitch?", "stockinette #"},
 
     /* widths */
     {"any =multiple =of", ""},
