@@ -11,6 +11,7 @@
 #include <strings.h>
 
 #include "lang/page/edges.h"
+#include "lang/page/kinds.h"
 #include "lang/page/lengths.h"
 #include "lang/page/prose.h"
 #include "lang/page/prose_line.h"
@@ -527,6 +528,8 @@ static const struct sign {
     {"(", false, .says = row_phrases_star},
     {"aA", true, .says = row_phrases_alternate},
     {"kKpP", true, .says = row_phrases_sided},
+    {"kKpPaAeEoOuUwWrRtT", true, .says = kinds_length},
+    {"(", false, .says = kinds_length},
     {"wWcC", true, .says = row_phrases_repeats},
     {"wWkKfFlLnNoOrRgGsSmMtT0123456789", true, .says = row_phrases_fabric},
     {"\t", false, .skips = remarks_column},

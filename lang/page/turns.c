@@ -279,11 +279,6 @@ const struct phrase turns_of_pages[] = {
 
     {"( =repeat|rep =to =the? =end )", ""},
     {"< =knit|purl the? # st|nd|rd|th row|round|rnd =.|,", "1 row"},
-    {"=all|every|each =ws|even =rows|row are|is purled|purl", ": purl"},
-    {"all|every|each wrong side rows|row are|is purled|purl", "WS rows: purl"},
-    {"< purl all|every|each ws row|rows", "WS rows: purl"},
-    {"< purl all|every|each wrong -? side row|rows", "WS rows: purl"},
-    {"< purl all|every|each even row|rows", "even rows: purl"},
     {"< knit row # =.|,", "row #:k"},
     {"< purl row # =.|,", "row #:p"},
     {"< knit rnd|round # =.|,", "rnd #:k"},

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page/casts.h"
 #include "lang/page/explained.h"
 #include "lang/page/groups.h"
 #include "lang/page/heads.h"
@@ -298,6 +299,21 @@ static void put_labelled(struct wording *w, size_t rep)
         memcpy(own_text(w) + named, "section", strlen("section"));
 }
 
+/* Leaves of `Cast on as many sts as you like, in a multiple of 4` the multiple. */
+static void put_multiple(struct wording *w, size_t at)
+{
+    size_t cast = at + words_one_of("cast on|cast-on|co", w->text + at), close, length = cast > at ? casts_many(w->text + cast, &close) : 0, by;
+
+    if (!length)
+        return;
+    memset(own_text(w) + cast, ' ', length);
+    if (close)
+        own_text(w)[cast + close] = ' ';
+    by = words_one_of("divisible by|evenly divisible by", w->text + cast + length);
+    if (by)
+        memcpy(memset(own_text(w) + cast + length, ' ', by), "multiple of", strlen("multiple of"));
+}
+
 /* Leaves of `Cast on a multiple of 4 (I used 24)` the number that was. */
 static void put_example(struct wording *w, size_t at)
 {
@@ -477,6 +493,7 @@ static void put_word(struct wording *w, size_t at)
 
     if (c == 'c') {
         w->cast_on |= prose_begins_cast_on(w->text + at) > 0;
+        put_multiple(w, at);
         put_example(w, at);
     }
     if ((c == 'r' || c == 'w') && words_one_of("repeat|rep|work", w->text + at))
