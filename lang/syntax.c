@@ -161,7 +161,9 @@ struct item *syntax_open_star(struct parse *parse, struct span star, struct item
     while (last->next && item_until(parse->source, last).kind == UNTIL_ONCE)
         last = last->next;
     span = item_span(parse->source, last);
-    if (last->kind != ITEM_STITCH || (last->more->until.kind != UNTIL_END && last->more->until.kind != UNTIL_LAST)) {
+    if (first->kind == ITEM_STARS) {
+        /* `*(k2, p2) repeat to end`: the bracket says what is repeated. */
+    } else if (last->kind != ITEM_STITCH || (last->more->until.kind != UNTIL_END && last->more->until.kind != UNTIL_LAST)) {
         syntax_star_is_left(parse, star);
     } else {
         group = item_group(parse, ITEM_REP_FROM, span_join(star, span), first, last->more->until);

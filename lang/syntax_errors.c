@@ -125,6 +125,8 @@ static bool refused_row(struct parse *parse, struct span span)
         line.start = span.start;
     else if (statement != TOKEN_ROW && statement != TOKEN_ALL && statement != TOKEN_SETUP && statement != TOKEN_AS_ROW)
         return false;
+    if (prose_begins_cast_on(span.source->text + line.start))
+        line.start += (unsigned)strcspn(span.source->text + line.start, ".\r\n");
     line.end = line.end > line.start + LIMIT_REFUSED ? line.start + LIMIT_REFUSED : line.end;
     if (line.start >= parse->knitted.start && line.start < parse->knitted.end)
         line.start = parse->knitted.end;

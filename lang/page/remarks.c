@@ -273,6 +273,27 @@ size_t remarks_chatter(const char *text)
     return words > 1 && (strchr("!?", text[at - 1]) || (words > 3 && talked)) ? at + 1 : 0;
 }
 
+/* Whether a text of so many bytes casts on. */
+static bool casts_on(const char *text, size_t length)
+{
+    for (size_t at = 0; at < length; at++)
+        if (words_one_of("cast on|co", text + at) && !isalnum((unsigned char)text[at - 1]))
+            return true;
+    return false;
+}
+
+size_t remarks_version(const char *text, size_t at)
+{
+    enum { BYTES = 500 };
+    const char *first = text + at + 1;
+    size_t close = at + 1 + strcspn(first, "()"), end = close + 1;
+
+    if (text[close] != ')' || close - at > BYTES || !words_one_of("for|if|to|note|optional|you|alternatively|larger|smaller|wider", first))
+        return 0;
+    end += strspn(text + end, ".!");
+    return strchr("\r\n", words_sign_before(text, at, " \t")) && prose_line_ends(text + end) && casts_on(first, close - at - 1) ? end - at : 0;
+}
+
 size_t remarks_face(const char *text, size_t at)
 {
     static const char *const faces[] = {":-)", ":)", ";-)", ";)", ":D", "<3", ":-D", "^^"};

@@ -38,6 +38,8 @@ size_t remarks_column(const char *text, size_t at);
 size_t remarks_chatter(const char *text);
 
 /* `:)`, `<3` behind a blank. */
+/* `(For a wider one cast on 44 sts.)`, on lines of its own: another version. */
+size_t remarks_version(const char *text, size_t at);
 size_t remarks_face(const char *text, size_t at);
 
 #endif

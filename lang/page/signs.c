@@ -543,6 +543,7 @@ static const struct sign {
     {"(oOeEuU", true, .skips = listed_length},
     {")", false, .skips = listed_length},
     {"(", false, .skips = chatter_length},
+    {"(", false, .skips = remarks_version},
     {"(", false, .skips = other_counts_length},
     {"(", true, .skips = remarks_length},
     {"\xE2", false, .is = is_ellipsis, 3, ""},
