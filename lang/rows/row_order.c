@@ -135,24 +135,45 @@ static bool are_alike(struct row_text *const *text, int n)
     return true;
 }
 
+/* Whether a text was worked, or any that has a number. */
+static bool has_worked(const struct row_list *list, const struct row_text *text, bool *numbered)
+{
+    *numbered = false;
+    for (int i = 0; i < list->norder; i++) {
+        if (list->order[i] == text)
+            return true;
+        *numbered |= list->order[i]->label > 0;
+    }
+    return false;
+}
+
+/* Row 1 is a right-side row: where an odd number of rows stands before it, these begin on the wrong side, unless they have
+ * numbers, the first of them being row 1. */
 void row_list_doubt_side(struct row_list *list, struct row_text *const *text, int n)
 {
-    if (list->start || list->round || list->front || list->failed || list->norder % 2 == 0 || !n || !text[0] || text[0]->label != 1 || are_alike(text, n))
+    const char *s = list->norder == 1 ? "" : "s";
+    bool numbered;
+
+    if (list->start || list->round || list->front || list->failed || list->norder % 2 == 0 || !n || !text[0] || text[0]->label != 1 || are_alike(text, n) ||
+        has_worked(list, text[0], &numbered))
         return;
-    for (int i = 0; i < list->norder; i++)
-        if (list->order[i] == text[0])
-            return;
-    diag_warning(list->diag, CODE_WRONG_SIDE, text[0]->head, "row 1 is worked on the wrong side: %d row%s before it", list->norder,
-                 list->norder == 1 ? " stands" : "s stand");
-    diag_hint(list->diag, "`Row 1 (RS)` if it is meant for the right side");
+    if (!numbered) {
+        list->start = SIDE_WS;
+        diag_warning(list->diag, CODE_WRONG_SIDE, text[0]->head, "row 1 is taken for a right-side row: the row%s before it begin%s on the wrong side", s, *s ? "" : "s");
+        diag_hint(list->diag, "`Row 1 (RS)` says so; `Row 1 (WS)` if the first row of all is of the right side");
+    } else if (!list->filler) {
+        diag_warning(list->diag, CODE_WRONG_SIDE, text[0]->head, "row 1 is worked on the wrong side: %d row%s before it", list->norder, *s ? "s stand" : " stands");
+        diag_hint(list->diag, "`Row 1 (RS)` if it is meant for the right side");
+    }
 }
 
 /* Rows of one text for all WS rows end with a WS row; not where the last of these are written out: `Rows 56-61: garter`. */
 static bool ends_filled(const struct row_list *list, int n)
 {
+    int before = list->start == SIDE_WS ? list->norder + list->norder % 2 : list->norder;
     bool filled = false;
 
-    if (!n || (list->norder + n) % 2 == 0 || !filler_for(list, list->first + n, row_list_side(list, list->norder + n)))
+    if (!n || (before + n) % 2 == 0 || !filler_for(list, list->first + n, row_list_side(list, list->norder + n)))
         return false;
     for (int i = 0; i < n; i++)
         filled |= !list->pending[i];
@@ -167,12 +188,11 @@ void rows_work(struct row_list *list)
     if (!n && !list->filler)
         return;
     find_start(list);
+    row_list_doubt_side(list, list->pending, list->npending);
     if (!n && (!list->norder || rows_described(list)))
         n = filler_for(list, list->first, row_list_side(list, list->norder)) == filler_for(list, list->first + 1, row_list_side(list, list->norder + 1)) ? 1 : 2;
     else
         n += ends_filled(list, n);
-    if (!list->filler)
-        row_list_doubt_side(list, list->pending, list->npending);
     for (int i = 0; i < n && !list->failed; i++) {
         int label = list->first + i;
         struct row_text *text = i < list->npending ? list->pending[i] : NULL;
