@@ -128,3 +128,13 @@ size_t groups_repeated(const char *text, size_t close)
         at--;
     return isdigit((unsigned char)text[at - 1]) && strchr(" ,", text[at]) ? at : 0;
 }
+
+size_t groups_of_star(const char *text, size_t at)
+{
+    size_t n = words_one_of("repeat|rep.|rep", text + at + 1), close = at + 1 + strcspn(text + at + 1, "()[]\r\n"), line = words_line_start(text, at);
+    const char *behind = words_skip_blanks(text + at + 1 + n);
+
+    if (!n || !strchr(")]", text[close]) || !memchr(text + line, '*', at - line))
+        return 0;
+    return strchr(")]", *behind) || words_one_of("from|to|until|till|across", behind) ? close : 0;
+}

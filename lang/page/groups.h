@@ -24,4 +24,7 @@ bool groups_fill_row(const char *text, size_t close);
 /* Of `(k1, p1 to last 2 sts)`, closed there, how far it groups what is repeated: behind p1. */
 size_t groups_repeated(const char *text, size_t close);
 
+/* Of `*k2, p2 (rep from * to last 2 sts)`, opened there, where the bracket is closed; 0: it groups stitches. */
+size_t groups_of_star(const char *text, size_t at);
+
 #endif

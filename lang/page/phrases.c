@@ -7,7 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { WORDS = 768, BUCKETS = 2048, ALTERNATIVES = 4096, PIECES = 2048, MOST = 320 };
+enum { WORDS = 768, BUCKETS = 2048, ALTERNATIVES = 4096, PIECES = 2048, MOST = 384 };
 
 /* The words are numbered; the first stand for `#`, as figures do. */
 enum { NO_WORD, NUMBER, LAST_NUMBER = 12 };

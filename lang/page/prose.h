@@ -46,6 +46,7 @@ bool prose_footnote_below(const char *text);        /* a line with that and a st
 size_t prose_sentence_length(const char *text);     /* up to its full stop, or to the line's end */
 bool prose_counts_fabric(const char *text);         /* "4 rows of garter" */
 bool prose_number_ends(const char *text);           /* "3", before a comma, a stop or the line's end */
+bool prose_tells_fabric(const char *text);          /* `the last 4 rows are garter st` */
 bool prose_places_markers(const char *text);       /* `place a stitch marker`, over a line's end */
 bool prose_remark_follows(const char *text);        /* " Place markers at both ends.": a sentence without a row's words */
 bool prose_count_follows(const char *text);         /* "24 sts." and no more */

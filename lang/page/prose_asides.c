@@ -129,6 +129,14 @@ bool prose_tells_of_row(const char *text)
     return words_find(text, tool, sizeof tool / sizeof *tool) >= 0 || told_words(text + strspn(text, "0123456789")) > 2;
 }
 
+bool prose_tells_fabric(const char *text)
+{
+    for (text = words_next(text); *text; text += words_length(text) + (words_length(text) == 0))
+        if (words_one_of("is|are", text))
+            return words_are(words_next(text), WORDS_PLAIN | WORDS_FABRIC) || words_one_of("knitted|purled", words_next(text)) > 0;
+    return false;
+}
+
 bool prose_places_markers(const char *text)
 {
     for (text = words_next(text); words_one_of("a|the|stitch|st", text); text = words_next(text))

@@ -474,6 +474,11 @@ static void put_brackets(struct wording *w, size_t at)
         put_whole_row(w, at);
     if (w->text[at] == '(' || w->text[at] == '[')
         put_repeated(w, at);
+    if ((c == '(' || c == '[') && groups_of_star(w->text, at)) {
+        size_t close = groups_of_star(w->text, at);
+
+        own_text(w)[at] = own_text(w)[close] = ' ';
+    }
     if ((c == '(' || c == '[') && groups_sizes(w->text, at, w->facts))
         memset(own_text(w) + at, ' ', groups_sizes(w->text, at, w->facts));
     if (c == '(' && groups_said_again(w->text, at))
