@@ -180,7 +180,7 @@ struct phrases *phrases_read(struct arena *arena, const struct phrase *table, in
     assert(n <= MOST);
     read_number_words(phrases);
     for (int i = 0; i < n; i++) {
-        const char *words = table[i].words + (strchr("@<^>", *table[i].words) ? 2 : 0);
+        const char *words = table[i].words + (strchr("@<^>!", *table[i].words) ? 2 : 0);
 
         phrases->start[i] = (unsigned short)phrases->npieces;
         for (size_t length; *words; words += length + (words[length] == ' ')) {

@@ -65,7 +65,7 @@ static size_t rib_length(const char *text, char plain[static PRINTED_PLAIN])
 /* Whether a sentence begins at `at`, or `work in` stands before. */
 static bool begins_sentence(const char *text, size_t at)
 {
-    static const char *const then[] = {"then", "now", "in", "of"};
+    static const char *const then[] = {"then", "now", "work", "in", "of"};
     int lead = 0;
 
     while (lead >= 0 && lead < 2) {
@@ -76,7 +76,7 @@ static bool begins_sentence(const char *text, size_t at)
         if (at == 0 || strchr("\r\n.;", text[at - 1]))
             return true;
         word = print_word_before(text, at);
-        lead = word < at ? words_find(text + word, then, 4) : -1;
+        lead = word < at ? words_find(text + word, then, 5) : -1;
         at = word;
     }
     return lead >= 2;

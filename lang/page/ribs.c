@@ -218,3 +218,13 @@ size_t ribs_length(const char *text, char plain[static RIBS_PLAIN])
     snprintf(plain, RIBS_PLAIN, "k%d p%d rib", pair.knit, pair.purl);
     return strlen(plain) < length ? length : 0;
 }
+
+size_t ribs_pair(const char *text, int *knit, int *purl)
+{
+    struct pair pair;
+    size_t n = any_pair_length(text, &pair);
+
+    *knit = pair.knit;
+    *purl = pair.purl;
+    return n;
+}

@@ -25,4 +25,7 @@ bool ribs_describes(struct ribs *, const char *text, size_t at);
 enum { RIBS_PLAIN = 32 };
 size_t ribs_length(const char *text, char plain[static RIBS_PLAIN]);
 
+/* `k2, p2`, `2 x 2`, `double`: its bytes and numbers; 0: another text. */
+size_t ribs_pair(const char *text, int *knit, int *purl);
+
 #endif

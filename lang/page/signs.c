@@ -11,6 +11,7 @@
 #include <strings.h>
 
 #include "lang/page/edges.h"
+#include "lang/page/fabrics.h"
 #include "lang/page/kinds.h"
 #include "lang/page/lengths.h"
 #include "lang/page/prose.h"
@@ -528,6 +529,9 @@ static const struct sign {
     {"(", false, .says = row_phrases_star},
     {"aA", true, .says = row_phrases_alternate},
     {"kKpP", true, .says = row_phrases_sided},
+    {"sSgG", true, .says = fabrics_short},
+    {"rR", true, .says = fabrics_rib},
+    {"wWkK0123456789", true, .says = fabrics_rows},
     {"kKpPaAeEoOuUwWrRtT", true, .says = kinds_length},
     {"(", false, .says = kinds_length},
     {"wWcC", true, .says = row_phrases_repeats},

@@ -10,6 +10,7 @@
 
 #include "lang/page/casts.h"
 #include "lang/page/explained.h"
+#include "lang/page/fabrics.h"
 #include "lang/page/groups.h"
 #include "lang/page/heads.h"
 #include "lang/page/page_facts.h"
@@ -163,7 +164,7 @@ static void put_phrase(struct wording *w, struct phrases *phrases, const struct 
     for (int i = 0; (i = phrases_find(phrases, w->text, at, i, &found)) >= 0; i++) {
         char mark = *table[i].words;
 
-        if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)) || (mark == '>' && !begins_sentence(w->text, at)) ||
+        if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)) || (strchr(">!", mark) && !begins_sentence(w->text, at)) ||
             (breaks(w->text, &found) && (strchr("<>", mark) || w->text[found.end[found.n - 1]] == ':')) || (mark == '>' && !work_follows(w->text + found.end[found.n - 1])))
             continue;
         if (changes(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
@@ -423,6 +424,20 @@ static bool is_part_name(const char *line)
     return n > 0 && isalpha((unsigned char)*line) && line[n] == ':' && prose_line_ends(line + n + 1);
 }
 
+/* `*k1, p1* for 4 rows` is `for 4 rows:*k1, p1*`. */
+static void put_repeated_row(struct wording *w, size_t at)
+{
+    char rows[64];
+    size_t rest, n = fabrics_repeated(w->text + at, &rest);
+
+    if (!n || rest >= sizeof rows)
+        return;
+    memcpy(rows, w->text + at + n, rest);
+    memmove(own_text(w) + at + rest + 1, w->text + at, n - 1);
+    memcpy(own_text(w) + at, rows, rest);
+    own_text(w)[at + rest] = ':';
+}
+
 /* What a line begins with, behind its marks: the head of a part of the pattern, a dash of a list. */
 static void put_line(struct wording *w, size_t at, int depth)
 {
@@ -432,6 +447,7 @@ static void put_line(struct wording *w, size_t at, int depth)
         put_head(w, mark, depth > 0 || goes_on(w, at));
     if (is_part_name(w->written + mark))
         w->heading = mark;
+    put_repeated_row(w, mark);
     if (mark > at && w->text[mark - 1] == '-' && prose_statement_follows(w->text + mark))
         memset(own_text(w) + at, ' ', mark - at);
 }
