@@ -82,6 +82,22 @@ static bool joins_cast_on(const char *text, size_t cast, size_t behind)
     return cast && !memchr(text + cast, '\n', behind - cast) && (prose_line_ends(word) || strchr(".,;", *word) || words_find(word, next, sizeof next / sizeof *next) >= 0);
 }
 
+/* Whether one of the words right before a place says no: `Do not join`, `without joining`. */
+static bool is_denied(const char *text, size_t at)
+{
+    enum { WORDS_BEFORE = 3 };
+
+    for (int i = 0; i < WORDS_BEFORE && at > 0; i++) {
+        while (at > 0 && strchr(" \t\r\n", text[at - 1]))
+            at--;
+        while (at > 0 && !strchr(" \t\r\n.;:,", text[at - 1]))
+            at--;
+        if (words_one_of("not|don't|don\xE2\x80\x99t|dont|without|never|no", text + at))
+            return true;
+    }
+    return false;
+}
+
 /* Whether `join .. in the round` stands before the rows, no row has a wrong side, and rows are not called both. */
 static bool is_joined(const char *text)
 {
@@ -99,6 +115,8 @@ static bool is_joined(const char *text)
         rows |= words_row(text + at) && is_called_row(text + at);
         rounds |= heads_round(text + at);
         if (rows && !joined)
+            return false;
+        if (words_find(text + at, join, 3) >= 0 && is_denied(text, at))
             return false;
         joined |= says_round(text, at);
         cast = words_is(text + at, "co") || (words_are(text + at, WORDS_CAST) && words_is(words_next(text + at), "on")) ? at + 1 : words_are(text + at, WORDS_PLAIN) ? 0 : cast;

@@ -234,6 +234,18 @@ static bool names_stitches(const char *text)
     return isupper((unsigned char)*text) && words_length(text) > 3 && !prose_row_word(text) && !line_has(text, ":,;") && count_plain(text) >= NAME_WORDS;
 }
 
+/* `K2, P2 Rib Scarf`: what is made of them. */
+static bool names_piece(const char *text)
+{
+    static const char *const piece[] = {"scarf", "hat", "cowl", "blanket", "afghan", "throw", "shawl", "wrap", "cloth", "dishcloth", "washcloth", "facecloth", "square",
+                                        "block", "headband", "cushion", "pillow", "bag", "towel", "mat", "coaster", "mitts", "snood", "swatch", "warmer", "warmers", "socks"};
+
+    for (size_t i = 0; i < sizeof piece / sizeof *piece; i++)
+        if (words_line_has(text, piece[i]))
+            return !line_has(text, ":;") && !prose_row_word(text);
+    return false;
+}
+
 bool prose_is_named_row(const char *text)
 {
     static const char *const row[] = {"row", "rnd", "round"};
@@ -366,7 +378,9 @@ bool prose_is_title(const char *text)
     if (line_has(text, "{}[]=<>*|") || has_file_name(text))
         return false;
     text += strspn(text, "\"'");
-    return !prose_line_is_mistyped(text) && !syntax_is_row(text) && (!has_stitches(text) || names_stitches(text)) && !has_call(text) && !has_count(text) && count_words(text) > 0 &&
+    if (!names_piece(text) && (syntax_is_row(text) || (has_stitches(text) && !names_stitches(text)) || has_call(text) || has_count(text)))
+        return false;
+    return !prose_line_is_mistyped(text) && count_words(text) > 0 &&
            count_words(text) <= TITLE_WORDS && (words_length(text) > 0 || count_words(text) > 1);
 }
 
