@@ -28,7 +28,8 @@ static enum status format_source(const struct options *options, struct arena *ar
     struct diag diag;
     size_t length;
     diag_init(&diag, arena);
-    const char *text = format_script(arena, &diag, source, &length);
+    struct compile_options compile = options_compile(options);
+    const char *text = format_script(arena, &diag, source, &compile, &length);
     if (!text) {
         diag_print(&diag, stderr, strcmp(options->diagnostics, "json") == 0 ? DIAG_JSON : DIAG_HUMAN,
                    options_colored(options));

@@ -25,7 +25,7 @@ liblang_a_SOURCES = lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c 
     lang/page/starred.c lang/page/sums.h lang/page/sums.c lang/page/turns.h lang/page/turns.c lang/page/wording.h lang/page/wording.c \
     lang/page/words.h lang/page/words.c lang/page/yarns.h lang/page/yarns.c \
     lang/format/chart_lines.h lang/format/chart_lines.c lang/format/format.h lang/format/format.c \
-    lang/format/layout.h lang/format/layout.c lang/format/own_words.h lang/format/own_words.c \
+    lang/format/layout.h lang/format/layout.c lang/format/meaning.h lang/format/meaning.c lang/format/own_words.h lang/format/own_words.c \
     lang/format/row_words.h lang/format/row_words.c lang/format/spelling.h lang/format/spelling.c \
     lang/format/tokens.h lang/format/tokens.c
 EXTRA_DIST += lang/parser.y lang/lexer.l

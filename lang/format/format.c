@@ -9,8 +9,8 @@
 #include <strings.h>
 
 #include "lang/format/chart_lines.h"
-#include "lang/compile.h"
 #include "lang/limits.h"
+#include "lang/format/meaning.h"
 #include "lang/format/own_words.h"
 #include "lang/format/row_words.h"
 #include "lang/scanner.h"
@@ -290,7 +290,7 @@ static const char *joint(const struct format *f)
 
     if (!is_text(token(f)->kind) || !is_joined(token(f)))
         return NULL;
-    return memchr(gap, ';', n) ? "; " : memchr(gap, '.', n) ? " " : NULL;
+    return memchr(gap, ';', n) ? "; " : memchr(gap, '.', n) ? " " : token(f)->span.source->text[token(f)->span.start] == ',' ? "" : NULL;
 }
 
 /* It keeps its words, and what stands behind it on its line stays there: a part of a line may read otherwise alone. */
@@ -578,16 +578,19 @@ static bool is_stable(const struct laid_out *once, const struct laid_out *again)
     return memcmp(once->text, again->text, once->length) == 0;
 }
 
-const char *format_script(struct arena *arena, struct diag *diag, const struct source *source, size_t *length)
+const char *format_script(struct arena *arena, struct diag *diag, const struct source *source,
+                          const struct compile_options *options, size_t *length)
 {
     struct laid_out once = lay_out(arena, diag, source), again;
+    const struct source *laid;
     struct diag unheard;
 
     if (!once.text)
         return NULL;
     diag_init(&unheard, arena);
-    again = lay_out(arena, &unheard, source_from_text(arena, source->name, once.text, once.length));
-    if (!is_stable(&once, &again))
+    laid = source_from_text(arena, source->name, once.text, once.length);
+    again = lay_out(arena, &unheard, laid);
+    if (!is_stable(&once, &again) || (options && !meaning_same(source, laid, options)))
         once = (struct laid_out){.text = source->text, .length = source->size};
     *length = once.length;
     return once.text;

@@ -267,6 +267,7 @@ static void put_head(struct writer *w, const struct row *row)
 
     if (row->numbers && row->numbers->all) {
         put_all(w, row->numbers, "All");
+        PUT("%s", row->numbers->all == ALL_RS || row->numbers->all == ALL_WS || row->numbers->all >= ALL_RS_ROW ? "" : side);
     } else if (row->numbers) {
         PUT("%s%s ", noun, is_one(row->numbers) ? "" : "s");
         put_numbers(w, row->numbers, side);

@@ -58,6 +58,14 @@ err 'is named' "'glued.knit' is left as it is"
 check 'and stays' cmp glued.knit glued.was
 rm glued.*
 
+# An error of the source is one of its layout.
+printf 'Row 1: knit front and back, k5\n' >other.knit
+cp other.knit other.was
+exits 0 'what would have another error' "$WEFT" fmt other.knit
+err 'is named' "'other.knit' is left as it is"
+check 'and stays, too' cmp other.knit other.was
+rm other.*
+
 exits 3 'errors for editors' "$WEFT" fmt --diagnostics json wrong.knit
 err 'are JSON' '^{"file": "wrong.knit", "line": 2,'
 exits 4 'a file that is not there' "$WEFT" fmt missing.knit

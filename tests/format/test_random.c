@@ -106,14 +106,14 @@ static bool try(unsigned seed, char *text)
 
     diag_init(&diag, &arena);
     source = source_from_text(&arena, "random.knit", text, length);
-    first = format_script(&arena, &diag, source, &once);
+    first = format_script(&arena, &diag, source, NULL, &once);
     if (!first) {
         fprintf(stderr, "seed %u:\n%s\n", seed, text);
         diag_print(&diag, stderr, DIAG_HUMAN, false);
         fail();
     }
     assert_ptr_not_equal(first, source->text);
-    second = format_script(&arena, &diag, source_from_text(&arena, "random.knit", first, once), &twice);
+    second = format_script(&arena, &diag, source_from_text(&arena, "random.knit", first, once), NULL, &twice);
     after = compile(&arena, first, once);
     if (getenv("WEFT_SHOW") && atoi(getenv("WEFT_SHOW")) == (int)seed) {
         fprintf(stderr, "%s\n----\n%s----\n%s", text, first, second ? second : "?\n");
