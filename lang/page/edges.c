@@ -23,7 +23,7 @@ static bool is_place(const char *text, struct said *said)
                              *const other[] = {"at", "on", "of", "in", "the", "and", "as", "outer", "outside", "row", "rows", "every", "work", "piece", "needle",
                                                "st", "stitch", "throughout", "always", "all", "times", "for", "a", "border", "borders"};
 
-    bool sides = words_find(text, side, 6) >= 0, first = words_is(text, "first") || words_is(text, "beginning"), last = words_is(text, "last"),
+    bool sides = words_find(text, side, 6) >= 0, first = words_is(text, "first") || words_is(text, "beginning"), last = words_is(text, "last") || words_is(text, "ending"),
          stitches = words_are_stitches(text);
 
     said->side |= sides;

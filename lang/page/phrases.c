@@ -7,10 +7,10 @@
 #include <string.h>
 #include <strings.h>
 
-enum { WORDS = 768, BUCKETS = 2048, ALTERNATIVES = 4096, PIECES = 2048, MOST = 384 };
+enum { WORDS = 768, BUCKETS = 2048, ALTERNATIVES = 6144, PIECES = 3072, MOST = 384 };
 
-/* The words are numbered; the first stand for `#`, as figures do. */
-enum { NO_WORD, NUMBER, LAST_NUMBER = 12 };
+/* The words are numbered; the first stand for `#`, as figures do, the next for `$`. */
+enum { NO_WORD, NUMBER, LAST_NUMBER = 12, STITCH };
 
 /* One place of a phrase: the words that may stand there. */
 struct piece {
@@ -92,6 +92,7 @@ static void read_number_words(struct phrases *phrases)
     for (size_t i = 0; i < sizeof word / sizeof *word; i++)
         word_number(phrases, word[i], strlen(word[i]));
     assert(phrases->nwords == LAST_NUMBER + 1);
+    word_number(phrases, "$", 1);
 }
 
 static struct at_place look(struct phrases *phrases, const char *text)
@@ -120,6 +121,8 @@ static struct at_place look(struct phrases *phrases, const char *text)
     at.word = *bucket_of(phrases, text, at.length, hash_of(text, at.length));
     if (at.word && at.word <= LAST_NUMBER)
         at.word = NUMBER;
+    else if (*text && strchr("kKpP", *text) && at.length > 1 && strspn(text + 1, "0123456789") == at.length - 1)
+        at.word = STITCH;
     if (text[at.length] == '.' && isalpha((unsigned char)*text))
         at.dotted = *bucket_of(phrases, text, at.length + 1, hash_of(text, at.length + 1));
     return at;

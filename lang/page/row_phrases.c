@@ -166,3 +166,19 @@ size_t row_phrases_fabric(const char *text, size_t at, char plain[static SIGNS_P
     snprintf(plain, SIGNS_PLAIN, "%s %d", name, n);
     return strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
 }
+
+size_t row_phrases_form(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    size_t n = words_one_of("to form|to make|to create|to establish|to complete|forming", text + at), end = at + n, last = at;
+
+    if (!n || !strchr("swd0123456789", words_sign_before(text, at, " ")))
+        return 0;
+    for (size_t word; text[end] && !strchr(".,;:()*0123456789\r\n", text[end]); end += word + (word == 0)) {
+        word = words_length(text + end);
+        last = word ? end : last;
+    }
+    if (!words_one_of("pattern|patt|stitch|st|rib|texture", text + last))
+        return 0;
+    strcpy(plain, "for patt");
+    return end - at;
+}

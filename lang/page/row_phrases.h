@@ -19,6 +19,9 @@ size_t row_phrases_sided(const char *text, size_t at, char plain[static SIGNS_PL
 /* `Work until 3 full repeats of rows 1-4 have been completed`: those rows, so often in all. */
 size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
+/* `to form the broken rib pattern`, behind rows: `for patt`. */
+size_t row_phrases_form(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
 /* `work the last 3 sts in seed st`, `3 sts moss st`: `seed 3`. */
 size_t row_phrases_fabric(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 

@@ -535,6 +535,7 @@ static const struct sign {
     {"kKpPaAeEoOuUwWrRtT", true, .says = kinds_length},
     {"(", false, .says = kinds_length},
     {"wWcC", true, .says = row_phrases_repeats},
+    {"tTfF", true, .says = row_phrases_form},
     {"wWkKfFlLnNoOrRgGsSmMtT0123456789", true, .says = row_phrases_fabric},
     {"\t", false, .skips = remarks_column},
     {"p", true, .is = is_plain_row, 5, "knit"},
