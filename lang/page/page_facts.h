@@ -8,7 +8,8 @@
 struct page_facts {
     bool      knitters;     /* rows in a knitter's words, and no statement of the language's own */
     bool      rounds;       /* the stitches are joined before the rows: what is called a row is a round */
-    enum side first;        /* the side of row 1; open: nothing is said of it, or both */
+    enum side first;        /* the side of row 1; open: nothing is said of it, or both; */
+    bool begins;            /* or that of the first row worked */
     double    gauge;        /* rows per millimetre, "20 sts and 28 rows = 4 in"; 0: none is said, */
     size_t    gauge_from, gauge_to; /* and from where to where */
     size_t    loom;         /* behind its word, where rows, no rounds, are worked on a loom, perhaps; 0: no word of one */

@@ -114,16 +114,20 @@ bool page_sides_line(const char *text)
     return sentence_at(text) && !words_line_has_sign(text, ":*,;{");
 }
 
-enum side page_sides(const char *text)
+enum side page_sides(const char *text, bool *begins)
 {
     static const char first[] = "rRwWeEoOfFsSbB";
     enum side found = SIDE_OPEN;
+
+    *begins = false;
 
     for (size_t at = 0, n; text[at]; at += n) {
         enum side side = strchr(first, text[at]) ? sentence_at(text + at) : SIDE_OPEN;
 
         if (side && found && side != found)
             return SIDE_OPEN;
+        if (side)
+            *begins = start_at(text + at) != SIDE_OPEN;
         found = side ? side : found;
         n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
         n += n == 0;

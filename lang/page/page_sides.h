@@ -6,8 +6,8 @@
 #include "lang/ast.h"
 
 /* The side of row 1 by `Row 2 is the right side`, `The even rows are RS rows`, `RS = row 1`; open where
- * nothing says so, or both are said. Comments say nothing. */
-enum side page_sides(const char *text);
+ * nothing says so, or both are said. Comments say nothing. *begins: of the first row worked, `Start on the wrong side`. */
+enum side page_sides(const char *text, bool *begins);
 
 /* Whether a line begins with such a sentence, and asks for no stitches. */
 bool page_sides_line(const char *line);

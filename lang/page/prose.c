@@ -35,7 +35,7 @@ static bool is_of_every_row(struct diag *diag, const char *text, struct span lin
                              *const slip[] = {"slip", "sl", "slipped", "slips", "slipping"}, *const work[] = {"knit", "k", "purl", "p", "work", "knitted"};
     size_t at = find_word(text, every, 3);
 
-    if (!at || !words_are_rows(words_next(text + at)) || !find_word(text, first, 5))
+    if (!find_word(text, first, 5) || (!(at && words_are_rows(words_next(text + at))) && !words_is(text, "always")))
         return false;
     if (find_word(text, slip, 5))
         return refused_word(diag, "slip", line);

@@ -262,7 +262,7 @@ size_t remarks_chatter(const char *text)
 
     for (; text[at] && !strchr("\r\n()", text[at]); at += n ? n : 1) {
         n = words_length(text + at);
-        if (n ? (words_are(text + at, WORDS_OF_ROW) || words_find(text + at, work, sizeof work / sizeof *work) >= 0)
+        if (n ? (words_are(text + at, WORDS_OF_ROW) || words_one_of("ws|rs|wrong side|right side", text + at) || words_find(text + at, work, sizeof work / sizeof *work) >= 0)
               : !strchr(" ,.!?;:'\"\xE2\x80\x98\x99\x9C\x9D-", text[at]))
             return 0;
         words += n > 0;

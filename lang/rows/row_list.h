@@ -60,7 +60,8 @@ struct row_list {
     struct told_rows told;
     struct mark *mark;              /* stars, in the order of the text */
     int nmarks, mark_room;
-    enum side row_1; /* the side of row 1 by what the page says of its rows, */
+    enum side row_1; /* the side of row 1 by what the page says of its rows, or */
+    bool begins;                    /* that of the first row worked, */
     bool front;                     /* and that they are a loom's: all are worked from the front */
     struct part *part;              /* those before the one above */
     bool describes;                 /* each part is a pattern of its own, not worked yet, */

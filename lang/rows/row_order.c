@@ -28,7 +28,7 @@ static void find_start(struct row_list *list)
     if (!list->start && !list->npending && list->filler && list->filler->all == ALL_WS_ROW && !list->round)
         list->start = list->norder % 2 ? SIDE_RS : SIDE_WS;     /* `WS: ..` above `RS: ..`: the one is worked first */
     if (!list->start && list->row_1 && !list->round)
-        list->start = (list->norder + list->first) % 2 ? list->row_1 : other_side(list->row_1);
+        list->start = list->begins || (list->norder + list->first) % 2 ? list->row_1 : other_side(list->row_1);
     if (list->round && list->start == SIDE_WS) {
         diag_error(list->diag, CODE_ROW_SIDE, list->span, "a round is always worked from the right side");
         row_list_fail(list);
@@ -252,5 +252,7 @@ void rows_add_next(struct row_list *list, struct row_text *text)
 bool rows_finish(struct row_list *list)
 {
     rows_work(list);
+    if (!list->start && list->begins && !list->round)
+        list->start = list->row_1;
     return !list->failed;
 }

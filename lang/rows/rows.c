@@ -20,6 +20,7 @@ struct row_list *rows_new(struct arena *arena, struct diag *diag)
 void rows_of_page(struct row_list *list, const struct page_facts *facts)
 {
     list->row_1 = facts->first;
+    list->begins = facts->begins;
     list->front = facts->pegs;
 }
 
