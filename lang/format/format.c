@@ -229,9 +229,10 @@ static void format_row(struct format *f, int indent)
     const struct token *last = token(f) - 1;
     const struct stmt *stmt = statement_of(f, first, last->span.end);
     bool verbatim = comments || !stmt || own_words(first, token(f), stmt);
+    bool marked = f->at > 0 && first[-1].kind == TOKEN_STARS;
     struct span span = {f->source, first->span.start, last->tail.source && verbatim ? last->tail.end : last->span.end};
 
-    while (span.start > first->label.end && strchr("*_", f->source->text[span.start - 1]))
+    while (!marked && span.start > first->label.end && strchr("*_", f->source->text[span.start - 1]))
         span.start--;
     while (span.start > 0 && isalnum((unsigned char)f->source->text[span.start - 1]) && isalnum((unsigned char)f->source->text[span.start]))
         span.start--;   /* `Rows3-4` */

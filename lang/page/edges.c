@@ -86,7 +86,8 @@ size_t edges_length(const char *text, struct kept_edges *edges, const char **fab
 /* `Note: always`, `Remember to`. */
 static const char *skip_lead(const char *text)
 {
-    static const char *const words[] = {"note", "notes", "remember", "always", "to", "be", "sure", "make", "the", "you", "will", "should"};
+    static const char *const words[] = {"note", "notes", "remember", "always", "to", "be", "sure", "make", "the", "you", "will", "should",
+                                        "from", "here", "now", "this", "point", "on"};
 
     while (words_find(text, words, sizeof words / sizeof *words) >= 0) {
         text = words_next(text);
@@ -106,6 +107,24 @@ static bool says_every(const char *text, const char *end)
     return false;
 }
 
+/* `; these are not mentioned below`, `and are not included in the instructions`: its bytes; 0: something else. */
+static size_t left_out_length(const char *text)
+{
+    static const char *const word[] = {"and", "these", "they", "those", "this", "which", "so", "edge", "border", "sts", "stitches", "are", "is", "will", "be", "in", "the",
+                                       "instructions", "directions", "pattern", "rows", "row", "below", "out", "again", "further", "part", "of", "included", "mentioned",
+                                       "written", "shown", "listed", "counted", "stated", "repeated", "given"};
+    size_t at = strspn(text, " ;,"), n;
+    bool left = false;
+
+    for (; text[at] && !strchr(".)\r\n", text[at]); at += n, at += strspn(text + at, " ")) {
+        left |= words_is(text + at, "not");
+        n = words_length(text + at);
+        if (!n || (!words_is(text + at, "not") && words_find(text + at, word, sizeof word / sizeof *word) < 0))
+            return 0;
+    }
+    return left ? at : 0;
+}
+
 size_t edges_said(const char *text, size_t start, char *plain, size_t room)
 {
     static const char *const verb[] = {"are", "is", "be", "worked", "knitted", "kept", "done", "form", "will"};
@@ -119,7 +138,7 @@ size_t edges_said(const char *text, size_t start, char *plain, size_t room)
         at = words_is(words_next(at), "the") ? words_next(words_next(at)) : words_next(at);
     if (!words_is(at, "first"))
         return 0;
-    for (; *at && !words_ends_line(*at) && !strchr(".,:;(", *at); at = words_skip_blanks(words_length(at) ? words_next(at) : words_behind_number(at))) {
+    for (; *at && !words_ends_line(*at) && !strchr(".,:;(", *at) && !left_out_length(at); at = words_skip_blanks(words_length(at) ? words_next(at) : words_behind_number(at))) {
         one |= words_is(at, "st") || words_is(at, "stitch");
         if (words_is(at, "knit") || words_is(at, "k"))
             knit = true;
@@ -127,7 +146,10 @@ size_t edges_said(const char *text, size_t start, char *plain, size_t room)
             return 0;
     }
     said.n = said.n ? said.n : one && !said.fabric;
-    if (!said.n || said.n > MOST || !said.last || !said.stitches || (!knit && !said.fabric) || !says_every(text + start, at) || (*at && strchr(",:", *at)))
+    if (!said.n || said.n > MOST || !said.last || !said.stitches || (!knit && !said.fabric) || !says_every(text + start, at))
+        return 0;
+    at += left_out_length(at);
+    if ((*at && strchr(",:", *at)))
         return 0;
     snprintf(plain, room, "with %d edge sts %.6s", said.n, said.fabric && !words_is(said.fabric, "garter") ? "seed" : "garter");
     at += *at == '(' ? strcspn(at, ")\r\n") + 1 : 0;

@@ -12,9 +12,11 @@ enum kind { NONE, GARTER, STOCKING };
 /* Behind `Garter st`, `Stockinette stitch (St st)`, and the sign of what it means; or NULL. */
 static const char *behind_name(const char *text, enum kind *kind)
 {
-    static const char *const garter[] = {"garter", "g"}, *const stocking[] = {"stocking", "stockinette", "stockinet", "st"}, *const stitch[] = {"st", "stitch"};
+    static const char *const garter[] = {"garter", "g"}, *const stocking[] = {"stocking", "stockinette", "stockinet", "st"}, *const stitch[] = {"st", "stitch"},
+                             *const reverse[] = {"rev", "reverse"};
     size_t bracket;
 
+    text = words_find(text, reverse, 2) >= 0 ? words_next(text) : text;
     *kind = words_find(text, garter, 2) >= 0 ? GARTER : words_find(text, stocking, 4) >= 0 ? STOCKING : NONE;
     text = words_next(text);
     if (!*kind || words_find(text, stitch, 2) < 0)
@@ -52,12 +54,12 @@ bool explained_fabric(const char *line, bool cast_on)
 {
     enum kind kind;
     struct said said = {0};
-    const char *text = strchr("gGsS", *line) && *line ? behind_name(line, &kind) : NULL;
+    const char *text = strchr("gGsSrR", *line) && *line ? behind_name(line, &kind) : NULL;
 
     for (size_t n; text && *text && !words_ends_line(*text); text += n)
         if (!(n = word_length(text, &said)))
             return false;
     if (cast_on && said.one && !said.every)
         return false;
-    return text && said.rows && (kind == GARTER ? said.every && said.knit != said.purl : said.knit && said.purl);
+    return text && (kind == GARTER ? said.rows && said.every && said.knit != said.purl : (said.rows || said.every) && said.knit && said.purl);
 }

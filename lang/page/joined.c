@@ -94,8 +94,8 @@ static bool has_sign(const char *text, size_t length, const char *signs)
 static bool begins_part(const char *text, size_t length)
 {
     static const char *const word[] = {"then", "now", "multiple", "multiples", "mult", "even", "odd", "rs", "ws", "set", "setup", "foundation", "continue", "cont", "gauge"},
-                             *const of_rows[] = {"next", "for", "all", "every", "each", "first", "another", "any", "over", "on", "using", "with", "ending", "finishing"};
-    bool rows = words_find(text, of_rows, sizeof of_rows / sizeof *of_rows) >= 0;
+                             *const of_rows[] = {"next", "for", "all", "every", "each", "first", "another", "any", "over", "on", "using", "with"};
+    bool rows = words_find(text, of_rows, sizeof of_rows / sizeof *of_rows) >= 0 || words_are(words_is(text, "and") ? words_next(text) : text, WORDS_END);
 
     if (rows && (has_sign(text, length, "0123456789") || words_line_has(text, "rows") || words_line_has(text, "row") || words_line_has(text, "rounds") || words_line_has(text, "number") ||
                  words_line_has(text, "multiple")))

@@ -17,7 +17,8 @@ static const struct unit {
     double millimetres;
 } units[] = {{"\"", 25.4},      {"''", 25.4},  {"\xE2\x80\xB3", 25.4}, {"\xE2\x80\x9D", 25.4}, {"\xE2\x80\x9C", 25.4},
              {"inches", 25.4},  {"inch", 25.4}, {"ins", 25.4},         {"in", 25.4},
-             {"centimetres", 10}, {"centimeters", 10}, {"cms", 10},    {"cm", 10}, {"mm", 1}};
+             {"centimetres", 10}, {"centimeters", 10}, {"cms", 10},    {"cm", 10}, {"mm", 1},
+             {"feet", 304.8},   {"foot", 304.8}, {"ft", 304.8}};
 enum { UNITS = sizeof units / sizeof *units };
 
 static const struct fraction {
@@ -325,8 +326,8 @@ static const char *skip_list(const char *text, const char *const *word, int n)
 
 size_t lengths_count(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    static const char *const about[] = {"about", "around", "approximately", "approx", "roughly", "or", "so", "ca", "that", "is"}, *const total[] = {"in", "total", "all", "altogether", "or", "so"};
-    const char *number = skip_list(text + at + 1, about, 10), *rows = isdigit((unsigned char)*number) ? words_behind_number(number) : NULL, *end;
+    static const char *const about[] = {"about", "around", "approximately", "approx", "roughly", "or", "so", "ca", "that", "is", "i", "we", "did", "made", "worked", "took", "mine"}, *const total[] = {"in", "total", "all", "altogether", "or", "so"};
+    const char *number = skip_list(text + at + 1, about, sizeof about / sizeof *about), *rows = isdigit((unsigned char)*number) ? words_behind_number(number) : NULL, *end;
     char close = text[at] == '(' ? ')' : text[at] == '[' ? ']' : '\0';
 
     if (!rows || !words_are_rows(rows) || words_number(number) > 99999 || !ends_length(text, at))

@@ -98,12 +98,12 @@ static bool no_file(const char *text)
     return *text != '"' && *text != '\xE2' && !words_line_has(text, "from") && !words_line_has(text, "std");
 }
 
-/* "Let me know how it goes", "Let dry (overnight)": more words, and no value. */
+/* "Let me know how it goes", "Let dry (overnight)", "Let's begin": more words, and no value. */
 static bool no_value(const char *text)
 {
     const char *next = words_next(text);
 
-    return !line_has(text, "=0123456789") && (words_length(next) > 0 || *next == '(');
+    return *text == '\'' || (!line_has(text, "=0123456789") && (words_length(next) > 0 || *next == '('));
 }
 
 static bool is_labelled(const char *text)

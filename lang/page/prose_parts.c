@@ -5,6 +5,7 @@
 #include "lang/limits.h"
 #include "lang/page/lengths.h"
 #include "lang/page/repeats.h"
+#include "lang/page/repeats.h"
 #include "lang/page/starred.h"
 #include "lang/page/words.h"
 #include "lang/syntax.h"
@@ -75,7 +76,7 @@ bool prose_repeats_rows(const char *text)
         return true;
     if (words_is(text, "until") || words_is(text, "till"))
         return lengths_follow(text) || !stitches_are_meant(text);
-    return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || prose_rows_follow(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
+    return words_find(text, word, sizeof word / sizeof *word) >= 0 || words_are_rows(text) || prose_rows_follow(text) || repeats_range(text) || (words_is(text, "r") && isdigit((unsigned char)text[1])) ||
            (isdigit((unsigned char)*text) && isalpha((unsigned char)text[strspn(text, "0123456789")]));
 }
 

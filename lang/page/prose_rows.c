@@ -40,6 +40,15 @@ static bool is_named(const char *sentence, size_t i)
     return words_find(sentence + i, before, sizeof before / sizeof *before) >= 0;
 }
 
+/* `rows of squares`: of what rows make, not of stitches. */
+static bool are_of_shapes(const char *rows)
+{
+    static const char *const shape[] = {"squares", "blocks", "boxes", "checks", "bricks", "diamonds", "triangles", "tiles", "baskets", "waves", "bumps"};
+    const char *of = words_next(rows);
+
+    return words_is(of, "of") && words_find(words_next(of), shape, sizeof shape / sizeof *shape) >= 0;
+}
+
 size_t prose_row_count(const char *sentence)
 {
     for (size_t i = 1, n = words_line_within(sentence, WORDS_REACH); i < n; i++) {
@@ -49,7 +58,7 @@ size_t prose_row_count(const char *sentence)
             continue;
         if (behind && words_is(behind, "more"))
             behind = words_skip_blanks(behind + 4);
-        if (behind && words_are_rows(behind))
+        if (behind && words_are_rows(behind) && !are_of_shapes(behind))
             return i;
     }
     return 0;

@@ -32,6 +32,20 @@ bool remarks_are(const char *text, size_t length)
     return found;
 }
 
+bool remarks_talk(const char *text, size_t length)
+{
+    static const char *const talk[] = {"this", "that", "these", "it", "you", "which", "ending", "so"};
+
+    if (words_find(text, talk, sizeof talk / sizeof *talk) < 0)
+        return false;
+    for (size_t at = 0, n; at < length; at += n ? n : 1) {
+        n = words_length(text + at);
+        if (n ? words_are(text + at, WORDS_PLAIN | WORDS_WORK | WORDS_AGAIN | WORDS_TIMES | WORDS_OFTEN | WORDS_CAST | WORDS_BIND | WORDS_NUMBER) : isdigit((unsigned char)text[at]) != 0)
+            return false;
+    }
+    return true;
+}
+
 /* Whether `seed stitch`, `st st`, `rib` stands before: brackets behind that say how it is worked. */
 static bool behind_fabric(const char *text, size_t at)
 {

@@ -11,6 +11,9 @@
 /* Words that say where stitches stand or what they look like, not how they are worked. */
 bool remarks_are(const char *text, size_t length);
 
+/* `this will be the border`, `ending with a WS row`: words to the reader, no count and no stitch among them. */
+bool remarks_talk(const char *text, size_t length);
+
 /* Words that name the fabric a row makes, up to the line's end, and ask for no work: `reverse stockinette`. */
 bool remarks_on_fabric(const char *text);
 

@@ -81,6 +81,20 @@ static size_t sections_length(const char *text)
     return words_next(section) > section + words_length(section) ? strcspn(text, "\r\n.;{}") : 0;
 }
 
+bool repeats_range(const char *text)
+{
+    static const char *const to[] = {"to", "through", "thru", "and"}, *const until[] = {"until", "till", "for", "as", "again"};
+    const char *last = words_skip_blanks(text + strspn(text, "0123456789"));
+
+    if (!isdigit((unsigned char)*text))
+        return false;
+    last = words_find(last, to, 4) >= 0 ? words_next(last) : words_skip_blanks(last + (*last == '-' || *last == '&'));
+    if (!isdigit((unsigned char)*last) || last == text)
+        return false;
+    last = words_skip_blanks(last + strspn(last, "0123456789"));
+    return !*last || strchr(".,\r\n", *last) || words_find(last, until, 5) >= 0 || words_are(last, WORDS_OFTEN) || prose_times_follow(last);
+}
+
 int repeats_kind(const char *text, size_t *length)
 {
     const char *word = words_next(text), *rows = words_is(word, "from") ? words_next(word) : word;
@@ -89,6 +103,10 @@ int repeats_kind(const char *text, size_t *length)
 
     if ((n = repeats_rows_length(rows)) > 0) {
         *length = (size_t)(rows - text) + n;
+        return TOKEN_REPEAT_ROWS;
+    }
+    if (repeats_range(word)) {
+        *length = before;
         return TOKEN_REPEAT_ROWS;
     }
     if ((n = starred_length(word, &starred)) > 0) {

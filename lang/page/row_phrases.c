@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lang/page/lengths.h"
 #include "lang/page/prose.h"
 #include "lang/page/remarks.h"
 #include "lang/page/words.h"
@@ -124,6 +125,51 @@ size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_
     end = skip_words(end, done, 11);
     snprintf(plain, SIGNS_PLAIN, until ? "rep %.*s %d-%d %d x in all" : "work %.*s %d-%d %d x", (int)words_length(rows), rows, atoi(first), atoi(last), n);
     return strchr(".,;\r\n", *end) && strlen(plain) + 1 < SIGNS_PLAIN && strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
+}
+
+/* The number that `(I did 44 rows.)` says, and whether of rows; 0: the brackets say more, or `open` opens none. */
+static int told_number(const char *open, bool *rows, size_t *length)
+{
+    static const char *const talk[] = {"about", "around", "approximately", "approx", "roughly", "or", "so", "that", "this", "is", "was", "will", "be", "i", "we", "you", "did", "made", "worked",
+                                       "knit", "knitted", "repeated", "had", "took", "mine", "it", "them", "for", "me", "in", "all", "total", "a", "of"},
+                             *const times[] = {"times", "repeats", "reps", "repetitions"};
+    const char *number = skip_words(open + 1, talk, sizeof talk / sizeof *talk), *unit = *open == '(' && isdigit((unsigned char)*number) ? words_behind_number(number) : NULL, *end;
+
+    *rows = unit && words_are_rows(unit);
+    if (!unit || !(*rows || words_find(unit, times, 4) >= 0))
+        return 0;
+    end = skip_words(words_next(unit), talk, sizeof talk / sizeof *talk);
+    end += *end == '.';
+    *length = (size_t)(end - open) + 1;
+    return *end == ')' && strchr(".,;\r\n", end[1]) ? words_number(number) : 0;
+}
+
+/* Whether `repeat` or `work` stands before a place, in its sentence. */
+static bool is_repeated(const char *text, size_t at)
+{
+    bool again = false;
+
+    while (at > 0 && !strchr(".;:()\r\n", text[at - 1])) {
+        at--;
+        again |= (at == 0 || !isalpha((unsigned char)text[at - 1])) && words_are(text + at, WORDS_AGAIN);
+    }
+    return again;
+}
+
+size_t row_phrases_told(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    size_t open = strcspn(text + at, ".;:()\r\n"), length;
+    bool rows;
+    int n;
+
+    if ((!words_is(text + at, "until") && !words_is(text + at, "till")) || open > 200 || !is_repeated(text, at))
+        return 0;
+    open += strspn(text + at + open, ". ");
+    n = told_number(text + at + open, &rows, &length);
+    if (n < 1 || (rows && lengths_follow(text + at)))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, rows ? "for %d rows in all" : "%d times in all", n);
+    return strlen(plain) < open + length ? open + length : 0;
 }
 
 /* Behind `3 edge sts`, `the last 3 stitches`; NULL: another text. *n: how many. */

@@ -21,6 +21,8 @@ size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_
 
 /* `to form the broken rib pattern`, behind rows: `for patt`. */
 size_t row_phrases_form(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+/* `until it is square (I did 44 rows)`, `till long enough (about 14 times)` of what is repeated: as often as the brackets say. */
+size_t row_phrases_told(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
 /* `work the last 3 sts in seed st`, `3 sts moss st`: `seed 3`. */
 size_t row_phrases_fabric(const char *text, size_t at, char plain[static SIGNS_PLAIN]);

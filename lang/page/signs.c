@@ -266,7 +266,7 @@ static size_t dash_remark_length(const char *text, size_t at)
     if (before > 0 && isdigit((unsigned char)text[before - 1]))
         return remarks_are(text + at + dash + 1, length - dash - 1) ? length : 0;
     line = words_line_start(text, at);
-    if (counts_rows(text + line, before - line) && remarks_are(text + at + dash + 1, length - dash - 1))
+    if (counts_rows(text + line, before - line) && (remarks_are(text + at + dash + 1, length - dash - 1) || remarks_talk(text + at + dash + 1, length - dash - 1)))
         return length;
     return memchr(text + line, ':', before - line) && remarks_on_fabric(text + at + dash) ? words_line_length(text + at) : 0;
 }
@@ -536,6 +536,7 @@ static const struct sign {
     {"(", false, .says = kinds_length},
     {"wWcC", true, .says = row_phrases_repeats},
     {"tTfF", true, .says = row_phrases_form},
+    {"uUtT", true, .says = row_phrases_told},
     {"wWkKfFlLnNoOrRgGsSmMtT0123456789", true, .says = row_phrases_fabric},
     {"\t", false, .skips = remarks_column},
     {"p", true, .is = is_plain_row, 5, "knit"},

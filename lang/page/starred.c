@@ -16,11 +16,11 @@ struct stars {
     int    n;
 };
 
-/* The stars above a repeat that may be marks, and whether one has named them. */
+/* The stars above a repeat that may be marks. */
 struct marks {
     struct stars stars[MOST_MARKS];
     int          n;
-    bool         used[MOST_STARS + 1];
+    size_t       single;    /* where the last star stands that is alone, a mark or a row's */
 };
 
 static int count_stars(const char *text)
@@ -35,7 +35,7 @@ static bool begins(const char *text, size_t at)
 {
     bool blank = at > 0 && strchr(" \t", text[at - 1]);
 
-    return strchr(blank ? "\n.:)" : "\n", words_sign_before(text, at, " \t"));
+    return strchr(blank ? "\n.:;)" : "\n", words_sign_before(text, at, " \t"));
 }
 
 static bool ends_line(const char *text)
@@ -51,6 +51,8 @@ static bool work_follows(const char *text)
 
     if (words_are(text, WORDS_PLAIN))
         return behind && words_are_rows(behind);
+    if (words_is(text, "next"))
+        return words_are_rows(words_next(text));
     return words_row(text) || (prose_statement_follows(text) && !words_stitch_length(text));
 }
 
@@ -79,9 +81,9 @@ static bool may_be_mark(const char *text, size_t at, int n, bool open)
     bool first = line + strspn(text + line, " \t") == at;
 
     if (n == 1 && begins(text, at))
-        return first ? words_row(next) || ends_line(next) : work_follows(words_skip_blanks(next));
+        return first ? ends_line(next) || (*next != ' ' && work_follows(next)) : work_follows(words_skip_blanks(next));
     if (n == 1)
-        return open && ends_line(next) && !memchr(text + line, '*', at - line);
+        return open && (ends_line(next) || words_are(next + strspn(next, " .,;"), WORDS_AGAIN));
     if (text[at - (at > 0)] == '*' || (!begins(text, at) && !ends_line(next)))
         return false;
     return !is_bold(text, at, n);
@@ -94,6 +96,16 @@ static int count_marks(const struct marks *marks, int stars)
     for (int i = 0; i < marks->n; i++)
         n += marks->stars[i].n == stars;
     return n;
+}
+
+/* Whether one star alone is a mark, and none of a row is behind it. */
+static bool is_open(const struct marks *marks)
+{
+    int n = marks->n;
+
+    while (n > 0 && marks->stars[n - 1].n != 1)
+        n--;
+    return n && marks->stars[n - 1].at == marks->single && count_marks(marks, 1) == 1;
 }
 
 /* What follows `rep from *` where it is a part of a row: `to end`, `across`, `until 2 sts remain`. */
@@ -139,7 +151,7 @@ static size_t from_place(const char *text, size_t at)
 
     if (words_is(word, "then"))
         next = words_are(next, WORDS_AGAIN) ? words_next(next) : next;
-    else if (!words_are(word, WORDS_AGAIN) || !begins(text, at))
+    else if (!words_are(word, WORDS_AGAIN) || !(begins(text, at) || '*' == words_sign_before(text, at, " \t,;")))
         return 0;
     return words_is(next, "from") || words_is(next, "between") ? (size_t)(next - text) : 0;
 }
@@ -151,7 +163,7 @@ static bool are_above(const struct marks *marks, const struct named_stars *named
 
     if (named->to.n == named->from.n || named->from.n > 1)
         return named->to.n == named->from.n ? from == 2 : from > 0 && (!named->to.n || to > 0);
-    return named->from.n == 1 && from == 1 && (!named->to.n || to == 1);
+    return named->from.n == 1 && is_open(marks) && (!named->to.n || to == 1);
 }
 
 /* The last star of a repeat's is its mark. */
@@ -211,9 +223,11 @@ const char *starred_plain(struct arena *arena, const char *text, size_t size)
         n = text[at] == '*' ? strspn(text + at, "*") : words_length(text + at);
         if (words_line_is_long(&line, text, at))
             continue;
-        if (text[at] == '*' && count_stars(text + at) && marks.n < MOST_MARKS && may_be_mark(text, at, (int)n, count_marks(&marks, 1) == 1))
+        if (text[at] == '*' && count_stars(text + at) && marks.n < MOST_MARKS && may_be_mark(text, at, (int)n, is_open(&marks)))
             marks.stars[marks.n++] = (struct stars){at, (int)n};
-        else if (text[at] != '*')
+        if (text[at] == '*')
+            marks.single = n == 1 ? at : marks.single;
+        else
             from = from_place(text, at);
         if (from)
             named = stars_named(text, from);
