@@ -289,7 +289,7 @@ static size_t before_long(const char *text, size_t at)
     for (; at > 0 && strchr(" ,", text[at - 1]); at--)
         ;
     before = words_before(text, at);
-    if (words_find(text + before, words, 5) < 0)
+    if (before == at || words_find(text + before, words, 5) < 0)
         return at;
     return before_long(text, words_is(text + before, "length") ? words_before(text, before) : before);
 }
