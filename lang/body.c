@@ -210,8 +210,9 @@ static bool check_references(struct eval *eval, struct where where, const struct
     if (row->times && !eval_whole(eval, where, row->times, 1, LIMIT_ROWS, "this number", &times))
         return false;
     if (row->times && labels->n && times * labels->n != nrows) {
-        diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "%d rows worked %lld times are %lld rows, not %d",
-                   labels->n, times, times * labels->n, nrows);
+        diag_error(eval->diag, CODE_ROW_REFERENCE, row->reference->span, "%d row%s worked %lld times are %lld rows, not %d",
+                   labels->n, labels->n == 1 ? "" : "s", times, times * labels->n, nrows);
+        diag_hint(eval->diag, "without a head of its own: `Repeat rows 1-2 3 times`, or `Repeat row 1 for a total of 12 rows`");
         return false;
     }
     if (!labels->n || nrows % labels->n == 0)

@@ -25,7 +25,8 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
         if (texts->n || again->rib)
             return true;
         diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "there are no numbered rows to go on with");
-        diag_hint(eval->diag, "`These 4 rows form the pattern`, behind them, says which rows without numbers are meant");
+        diag_hint(eval->diag, rows_count(body->rows) ? "`These 4 rows form the pattern`, behind them, says which rows without numbers are meant"
+                                                     : "what is worked: `Work 28 rows in garter st`, or rows with numbers before it: `Row 1: k2, p2`");
         return false;
     case AGAIN_STARRED:
         return rows_starred(body->rows, stmt->span, again->starred, texts);
@@ -168,6 +169,12 @@ static void warn_since_when(struct eval *eval, const struct stmt *stmt, const st
     diag_hint(eval->diag, total ? "`until piece has %lld rows` counts all" : "`for a total of %lld rows` counts these alone", n);
 }
 
+/* `until piece measures 10 cm`; not `until long enough`. */
+static bool says_length(struct eval *eval, struct span span)
+{
+    return lengths_said(arena_copy(eval->arena, span.source->text + span.start, span.end - span.start));
+}
+
 /* What is open: how often the rows are worked, and whether those above are the first time. */
 static void warn_open(struct eval *eval, const struct stmt *stmt, const struct again *again, struct body *body,
                       struct row_texts texts, bool once)
@@ -177,7 +184,8 @@ static void warn_open(struct eval *eval, const struct stmt *stmt, const struct a
                                                              : ends_within(stmt, again, body, texts) ? "repeated is not said: once more as far as they end"
                                                              : again->stop < 0 && work_follows(stmt) ? "repeated is not said: not once more but to end on that side"
                                                                                                      : "repeated is not said: not once more");
-        diag_hint(eval->diag, again->open ? "`until piece has 60 rows`; or a line with a gauge, `Gauge: 28 rows = 10 cm`, says how many rows a length is"
+        diag_hint(eval->diag, again->open ? (says_length(eval, stmt->span) ? "`until piece has 60 rows`; or a line with a gauge in words, `Gauge: 28 rows = 10 cm`, says how many rows a length is"
+                                                                  : "`until piece has 60 rows`")
                                           : "`repeat rows 1-4 5 times` works them five times more");
     }
     if (again->assumed && rows_just_worked(body->rows, texts)) {

@@ -324,6 +324,20 @@ static void warn_of_loom(struct parse *parse)
     }
 }
 
+/* Says so where rows are read as turned that may be rounds. */
+static void warn_of_circle(struct parse *parse)
+{
+    unsigned behind = (unsigned)parse->facts.circle;
+    struct span word = {parse->source, behind, behind};
+
+    while (word.start > 0 && isalpha((unsigned char)parse->source->text[word.start - 1]))
+        word.start--;
+    if (!behind)
+        return;
+    diag_warning(parse->diag, CODE_PROSE, word, "whether the stitches are joined to a round is not said: rows are read as turned at their ends");
+    diag_hint(parse->diag, "`Join` behind the cast-on, and they are rounds; `Do not join`, and this is silent");
+}
+
 struct parse parse_read(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
 {
     struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
@@ -342,6 +356,7 @@ struct stmt *parse_statements(struct parse *parse)
     if (!parse->text)
         return NULL;
     warn_of_loom(parse);
+    warn_of_circle(parse);
     parse->scanner = &scanner;
     scanner_parse(&scanner);
     append_chart(parse);

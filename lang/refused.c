@@ -193,10 +193,50 @@ static void report(struct diag *diag, const char *word, struct span span, enum r
         hint_cast_on(diag, span);
 }
 
+/* `5/6 rows`: one of two numbers; not the cable 2/2. */
+static bool is_choice(struct diag *diag, struct span span)
+{
+    const char *text = span.source->text + span.start;
+    size_t digits = strspn(text, "0123456789"), others = digits && text[digits] == '/' ? strspn(text + digits + 1, "0123456789") : 0;
+    const char *noun = words_skip_blanks(text + digits + 1 + others);
+
+    if (!others || !words_one_of("row|rows|round|rounds|rnd|rnds|st|sts|stitch|stitches|times|inch|inches|cm|needle|needles", noun))
+        return false;
+    span.end = span.start + (unsigned)(digits + 1 + others);
+    diag_error(diag, CODE_STITCH, span, "which of the two numbers holds is not said");
+    diag_hint(diag, "write one of them: `%d %.*s`", words_number(text), (int)words_length(noun), noun);
+    return true;
+}
+
+/* `.. ending with st as established`: the `with` is no yarn's. */
+static bool is_ending(struct diag *diag, struct span span)
+{
+    const char *text = span.source->text;
+    unsigned at = span.start;
+
+    if (!words_is(text + at, "with"))
+        return false;
+    for (int i = 0; i < 2; i++) {
+        while (at > 0 && text[at - 1] == ' ')
+            at--;
+        while (at > 0 && isalpha((unsigned char)text[at - 1]))
+            at--;
+        if (!words_one_of("end|ends|ending|finish|finishing", text + at))
+            continue;
+        diag_error(diag, CODE_STITCH, span, "what the row ends with is not said in stitches");
+        diag_hint(diag, "the stitches themselves: `*k1, p1; rep from * to last st, k1`");
+        return true;
+    }
+    return false;
+}
+
 bool refused_word(struct diag *diag, const char *word, struct span span)
 {
     char copy[LONGEST];
     int first = tolower((unsigned char)span.source->text[span.start]);
+
+    if (is_choice(diag, span) || is_ending(diag, span))
+        return true;
 
     /* Phrases of several words come first: "yarn over" is no yarn. */
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)

@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "lang/scanner.h"
+#include "lang/page/lengths.h"
 #include "lang/page/words.h"
 
 /* A row's number as it is written; 0: it is not, or too large for one. */
@@ -263,8 +264,8 @@ struct expr *syntax_rows_of(struct parse *parse, struct span span, struct measur
 {
     struct expr *two = measure.rows ? NULL : syntax_two_rows(parse, span);
 
-    if (two)
-        diag_hint(parse->diag, "a line with a gauge, `Gauge: 28 rows = 10 cm`, says how many rows a length is");
+    if (two && lengths_said(arena_copy(parse->arena, span.source->text + span.start, span.end - span.start)))
+        diag_hint(parse->diag, "a line with a gauge in words, `Gauge: 28 rows = 10 cm`, says how many rows a length is");
     return two ? two : expr_number(parse, span, whole_ridges(measure), 0);
 }
 

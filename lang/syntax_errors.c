@@ -210,7 +210,9 @@ static void hint_form(struct parse *parse, struct span span, const char *list)
     const char *meant = syntax_meant(parse, span), *form = expected_form(parse->scanner->statement);
     bool again = parse->scanner->statement == TOKEN_REPEAT_ROWS, knits = again || parse->scanner->statement == TOKEN_WORK;
 
-    if (names_rib(span))
+    if (words_one_of("for a total of", span.source->text + span.start))
+        diag_hint(parse->diag, "how often, or how many rows in all: `Repeat row 1 12 times`, or `Repeat row 1 for a total of 12 rows`");
+    else if (names_rib(span))
         diag_hint(parse->diag, "which rib this is: `Work 4 rows in k2, p2 rib`");
     else if (meant && (!form || knits || (list && strstr(list, meant))))
         diag_did_you_mean(parse->diag, meant);

@@ -9,14 +9,24 @@
 #include "lang/syntax.h"
 #include "lang/page/words.h"
 
+/* `1st`, `21st`, `4th`; not `3st`, of which `Row 1: k 3st` has stitches. */
+static bool is_ordinal(const char *text)
+{
+    int n = words_number(text);
+
+    return words_ordinal_length(text) && (n % 10 == 1 && n % 100 != 11) == words_is(text + strspn(text, "0123456789"), "st");
+}
+
 int scanner_bad_unit(struct scanner *scanner, struct span span, const char *text)
 {
     int digits = (int)strspn(text, "0123456789.");
 
     span.start += (unsigned)digits;
     diag_error(scanner->parse->diag, CODE_NUMBER, span, "'%s' is no unit", text + digits);
-    if (words_ordinal_length(text))
+    if (is_ordinal(text))
         diag_hint(scanner->parse->diag, "a row begins its line: `%s row: k2, p2`; rows are repeated by `Repeat rows 1-2 3 times`", text);
+    else if (words_are(text + digits, WORDS_STITCH | WORDS_ROW))
+        diag_hint(scanner->parse->diag, "stitches and rows are counted without a unit: `%.*s`", digits, text);
     else
         diag_hint(scanner->parse->diag, "units are %%, mm, cm, m and in; a product is written with '*'");
     return TOKEN_KNIT_error;

@@ -129,6 +129,32 @@ static bool is_joined(const char *text)
     return joined && !(rows && rounds);
 }
 
+/* `Place marker`, `pm`, `place a marker` */
+static bool places_marker(const char *text)
+{
+    return words_is(text, "pm") || (words_is(text, "place") && (words_is(words_next(text), "marker") || words_is(words_next(words_next(text)), "marker")));
+}
+
+/* Behind `circular`, where a marker at the cast-on may begin rounds, and no word says rounds or rows; 0: it is not so. */
+static size_t find_circle(const char *text)
+{
+    size_t behind = 0;
+    bool cast = false, worked = false, marked = false;
+
+    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
+        n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
+        if (text[at] == '#' || !n || (at > 0 && isalnum((unsigned char)text[at - 1])))
+            continue;
+        if (words_one_of("join|joined|joining|turn|turning|rs|ws|wrong|flat|back|rounds|rnds", text + at) || heads_round(text + at) || (words_one_of("round|rnd", text + at) && text[at + n] == ':'))
+            return 0;
+        behind = words_one_of("circular|circulars", text + at) ? at + n : behind;
+        cast |= prose_begins_cast_on(text + at) > 0;
+        worked |= cast && (words_are(text + at, WORDS_PLAIN) || words_row(text + at));
+        marked |= cast && !worked && places_marker(text + at);
+    }
+    return marked ? behind : 0;
+}
+
 /* ---- looms ---- */
 
 /* Behind the last `loom` of a text with rows; 0: there is none. */
@@ -183,6 +209,7 @@ struct page_facts page_facts_read(const char *text, size_t size)
     facts.first = page_sides(text, &facts.begins);
     facts.gauge = lengths_gauge(text, &facts.gauge_from, &facts.gauge_to);
     facts.loom = facts.rounds ? 0 : find_loom(text, &facts.pegs);
+    facts.circle = facts.rounds || facts.loom ? 0 : find_circle(text);
     facts.sizes = find_sizes(text, &facts.nsizes);
     return facts;
 }

@@ -14,6 +14,8 @@ struct page_facts {
     size_t    gauge_from, gauge_to; /* and from where to where */
     size_t    loom;         /* behind its word, where rows, no rounds, are worked on a loom, perhaps; 0: no word of one */
     bool      pegs;         /* surely: its pegs are named. All rows are worked from the front */
+    size_t    circle;       /* behind the word of a circular needle, where a marker is placed at the cast-on and nothing says
+                             * whether the stitches are joined, or the work turned; 0: that is not open */
     size_t    sizes;        /* where the cast-on names further sizes, `20 (26, 30)`, */
     int       nsizes;       /* so many of them; 0: it names none */
 };

@@ -210,14 +210,21 @@ static bool states_gauge(const struct scanner *scanner, const char *text, size_t
     return facts->gauge > 0 && at <= facts->gauge_to && at + length > facts->gauge_from;
 }
 
-/* How many lines from here on read as prose, the first as far as it goes; `end` is behind the last. */
+/* `Work as before`: it may have been meant, what the lines around it are not. */
+static bool begins_work(const char *text)
+{
+    return words_are(text, WORDS_WORK | WORDS_PLAIN | WORDS_AGAIN | WORDS_GO_ON | WORDS_CAST | WORDS_BIND);
+}
+
+/* How many lines from here on read as prose of one kind, the first as far as it goes; `end` is behind the last. */
 static int block_length(const struct scanner *scanner, const char *text, size_t length, const char **end)
 {
     int n = 1;
 
-    for (*end = text + length; n <= LIMIT_TEXTS && strchr("\r\n", **end); n++) {
+    *end = text + length;
+    for (bool work = begins_work(text); n <= LIMIT_TEXTS && strchr("\r\n", **end); n++) {
         text = prose_line_next(text);
-        if (states_gauge(scanner, text, words_line_length(text)) ||
+        if (states_gauge(scanner, text, words_line_length(text)) || begins_work(text) != work ||
             !(*text && !is_worked(text) && !prose_statement_follows(text) && !is_labelled_statement(text) && !prose_line_is_keyword(text) &&
               !prose_is_keyword(text) && prose_reads(text, false)))
             break;

@@ -3,6 +3,14 @@
 #include "lang/page/turns.h"
 
 const struct phrase turns_of_pages[] = {
+    {"=rows|rounds|rnds ,|; and|then? turn the? work? =.", ""},
+    {"=rows|rounds|rnds ,|;? and|then? turn the? work? ,|;? and|then? =knit|purl|work", "."},
+    {"=rows|rounds|rnds and|then turn the? work? =.", ""},
+    {"=before =marker remain|remains|left", ""},
+    {"=before =the =marker remain|remains|left", ""},
+    {"=# =st|sts|stitch|stitches remain|remains|left =before =marker", ""},
+    {"=# =st|sts|stitch|stitches remain|remains|left =before =the =marker", ""},
+
     /* to the end */
     {"all? the? rest|remainder of the|this? row|round|rnd|sts|stitches|way", "to end"},
     {"@ the rest|remainder", "to end"},

@@ -24,6 +24,8 @@ bool rows_labelled(struct row_list *list, struct span span, const int *label, in
         if (list->failed || texts->text[i])
             continue;
         diag_error(list->diag, CODE_ROW_REFERENCE, span, "there is no row %d to repeat", label[i]);
+        if (label[i] > list->last_label && label[i] <= list->norder)
+            diag_hint(list->diag, "rows that were worked again have no numbers of their own: the last is row %d", list->last_label);
         row_list_fail(list);
     }
     return !list->failed;
