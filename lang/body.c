@@ -408,8 +408,20 @@ bool body_describes(const struct stmt *stmt)
     return false;
 }
 
+/* Whether it only says again what is cast on: `Number of sts: 43`, and below it `Cast on 43 sts`. */
+static bool says_again(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+{
+    long long n;
+
+    return body->top && body->cast_on && !rows_any(body->rows) &&
+           eval_whole(eval, where, stmt->cast_on.n, 1, LIMIT_STITCHES, "the number of stitches", &n) && n == body->cast_on;
+}
+
 static bool run_cast_on(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
+    if (says_again(eval, where, stmt, body))
+        return true;
+
     enum rows_before before = body->misplaced ? ROWS_MISPLACED : body->cast_on ? ROWS_PIECE : rows_before(stmt, body->rows);
 
     body->misplaced = before == ROWS_MISPLACED;

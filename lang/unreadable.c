@@ -75,6 +75,8 @@ int scanner_no_stitches(struct scanner *scanner, struct span span, const char *w
 {
     if (scanner->previous == TOKEN_NUMBER && !word[1] && strchr("oOlI", *word))
         return scanner_scanned(scanner, span);
+    if (words_is(word, "pegs") && scanner->parse->facts.pegs)
+        return scanner_token(scanner, TOKEN_STS);
     if (!words_is(word, "needles") && !words_is(word, "pegs"))
         return syntax_unknown_word(scanner->parse, span, "a number of sts");
     diag_error(scanner->parse->diag, CODE_ELSEWHERE, span, "a machine knits every row from one side, and here the sides take turns");
