@@ -172,6 +172,32 @@ size_t row_phrases_told(const char *text, size_t at, char plain[static SIGNS_PLA
     return strlen(plain) < open + length ? open + length : 0;
 }
 
+/* The number of the first of the rows whose text begins with the `repeat` before a place; 0: none does. */
+static int rows_repeated(const char *text, size_t at)
+{
+    size_t again = words_before(text, at), line = words_line_start(text, at);
+
+    line += strspn(text + line, " \t*-");
+    return again > line && words_are(text + again, WORDS_AGAIN) && words_sign_before(text, again, " \t") == ':' ? words_row(text + line) : 0;
+}
+
+size_t row_phrases_last(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const which[] = {"the", "last", "previous", "preceding", "prior", "above", "these", "those"};
+    const char *number = skip_words(text + at, which, 8), *rows = number > text + at ? words_behind_number(number) : NULL, *end;
+    int first, n;
+
+    if (!rows || !words_are_rows(rows) || (at > 0 && text[at - 1] != ' '))
+        return 0;
+    n = words_number(number);
+    first = rows_repeated(text, at);
+    if (n < 2 || first <= n)
+        return 0;
+    end = rows + words_length(rows);
+    snprintf(plain, SIGNS_PLAIN, "rows %d-%d", first - n, first - 1);
+    return strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
+}
+
 /* Behind `3 edge sts`, `the last 3 stitches`; NULL: another text. *n: how many. */
 static const char *behind_some(const char *text, int *n)
 {

@@ -537,6 +537,7 @@ static const struct sign {
     {"wWcC", true, .says = row_phrases_repeats},
     {"tTfF", true, .says = row_phrases_form},
     {"uUtT", true, .says = row_phrases_told},
+    {"tTlLpPaA", true, .says = row_phrases_last},
     {"wWkKfFlLnNoOrRgGsSmMtT0123456789", true, .says = row_phrases_fabric},
     {"\t", false, .skips = remarks_column},
     {"p", true, .is = is_plain_row, 5, "knit"},
