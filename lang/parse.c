@@ -338,6 +338,18 @@ static void warn_of_circle(struct parse *parse)
     diag_hint(parse->diag, "`Join` behind the cast-on, and they are rounds; `Do not join`, and this is silent");
 }
 
+/* Says that rows are not read as a machine's. */
+static void warn_of_machine(struct parse *parse)
+{
+    unsigned behind = (unsigned)parse->facts.machine;
+
+    if (!behind)
+        return;
+    diag_warning(parse->diag, CODE_PROSE, (struct span){parse->source, behind - (unsigned)strlen("machine"), behind},
+                 "rows are read as by hand, where the work is turned; a machine knits all from one side");
+    diag_hint(parse->diag, "what `knit 20 rows` makes on a machine is `Work 20 rows in st st`");
+}
+
 struct parse parse_read(struct arena *arena, struct diag *diag, struct names *names, const struct source *source)
 {
     struct parse parse = {.arena = arena, .diag = diag, .names = names, .source = source};
@@ -356,6 +368,7 @@ struct stmt *parse_statements(struct parse *parse)
     if (!parse->text)
         return NULL;
     warn_of_loom(parse);
+    warn_of_machine(parse);
     warn_of_circle(parse);
     parse->scanner = &scanner;
     scanner_parse(&scanner);

@@ -57,7 +57,7 @@ static size_t bold(const char *text)
     return strncmp(text, "**", 2) == 0 || strncmp(text, "__", 2) == 0 ? 2 : 0;
 }
 
-/* Behind a colon or, `dash`, a dash with a blank; NULL: there is none. */
+/* Behind a colon or, `dash`, a dash with a blank, or a stop and a dash; NULL: there is none. */
 static const char *skip_mark(const char *text, bool dash)
 {
     static const char *const dashes[] = {"- ", "\xE2\x80\x93 ", "\xE2\x80\x94 ", "\xE2\x80\x92 ", "\xE2\x80\x95 ", "\xE2\x88\x92 ", "\xE2\x80\x94", "\xE2\x80\x95"};
@@ -65,6 +65,9 @@ static const char *skip_mark(const char *text, bool dash)
 
     if (*at == ':')
         return at + 1;
+    if (dash && *at == '.' && strncmp(words_skip_blanks(at + 1), "--", 2) == 0)
+        return words_skip_blanks(at + 1) + 2;
+    at = words_skip_blanks(dash && *at == '.' ? at + 1 : at);
     for (size_t i = 0; dash && i < sizeof dashes / sizeof *dashes; i++)
         if (strncmp(at, dashes[i], strlen(dashes[i])) == 0)
             return at + strlen(dashes[i]);

@@ -177,6 +177,22 @@ static size_t find_loom(const char *text, bool *pegs)
     return rows && !rounds ? behind : 0;
 }
 
+/* Behind the `knitting machine`, the `gauge machine` of a text; 0: there is none. */
+static size_t find_machine(const char *text)
+{
+    for (size_t at = strcspn(text, "mM"); text[at]; at += 1 + strcspn(text + at + 1, "mM")) {
+        size_t before = at, word;
+
+        while (before > 0 && strchr(" -", text[before - 1]))
+            before--;
+        for (word = before; word > 0 && isalpha((unsigned char)text[word - 1]);)
+            word--;
+        if (before < at && words_is(text + at, "machine") && words_one_of("knitting|gauge|bulky|chunky", text + word))
+            return at + strlen("machine");
+    }
+    return 0;
+}
+
 /* ---- sizes ---- */
 
 /* Where `(26, 30)` of a cast-on stands, and how many further sizes that are; or 0. */
@@ -210,6 +226,7 @@ struct page_facts page_facts_read(const char *text, size_t size)
     facts.gauge = lengths_gauge(text, &facts.gauge_from, &facts.gauge_to);
     facts.loom = facts.rounds ? 0 : find_loom(text, &facts.pegs);
     facts.circle = facts.rounds || facts.loom ? 0 : find_circle(text);
+    facts.machine = facts.rounds ? 0 : find_machine(text);
     facts.sizes = find_sizes(text, &facts.nsizes);
     return facts;
 }

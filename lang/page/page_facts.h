@@ -16,6 +16,7 @@ struct page_facts {
     bool      pegs;         /* surely: its pegs are named. All rows are worked from the front */
     size_t    circle;       /* behind the word of a circular needle, where a marker is placed at the cast-on and nothing says
                              * whether the stitches are joined, or the work turned; 0: that is not open */
+    size_t    machine;      /* behind the word of a knitting machine; 0: no word of one */
     size_t    sizes;        /* where the cast-on names further sizes, `20 (26, 30)`, */
     int       nsizes;       /* so many of them; 0: it names none */
 };

@@ -23,6 +23,11 @@ const struct phrase turns_of_pages[] = {
     {"! when|once you|we? have? done|worked|knitted|knit|completed # rows|rounds|rnds =, =cast|bind =off", "rep them until # rows"},
     {"! when|once # rows|rounds|rnds have|are been? done|worked|knitted|knit|completed =, =cast|bind =off", "rep them until # rows"},
 
+    /* `Carry on`, as the British do */
+    {"! carry|keep|go on|going repeating|rep =rows|rounds|rnds|row|these|this|the|last", "repeat"},
+    {"! carry|keep|go on|going like|in this|that way? =until|till|for", "work in patt"},
+    {"! carry|keep on|going =until|till|for|in|as", "continue"},
+
     /* repeats, as people count them */
     {"=#|rows|rounds|rnds until|till there|you|we|i? have|are|is? worked|knitted|knit|completed|done|made? # full|complete|whole? patterns|patts|repeats|reps|repetitions of the? pattern|patt in? all|total|altogether?", "# times in all"},
     {"=#|rows|rounds|rnds , until|till # full|complete|whole? patterns|patts|repeats|reps|repetitions have|are been? worked|completed|complete|done", " # times in all"},
