@@ -26,6 +26,7 @@ const struct phrase turns_of_pages[] = {
     /* `Carry on`, as the British do */
     {"! carry|keep|go on|going repeating|rep =rows|rounds|rnds|row|these|this|the|last", "repeat"},
     {"! carry|keep|go on|going like|in this|that way? =until|till|for", "work in patt"},
+    {"! do|work|knit # more|further rows|rounds|rnds like|in this|the|that same? way|manner?", "work # rows in patt"},
     {"! carry|keep on|going =until|till|for|in|as", "continue"},
 
     /* repeats, as people count them */
