@@ -7,7 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { WORDS = 1024, BUCKETS = 2048, ALTERNATIVES = 8192, PIECES = 4096, MOST = 512 };
+enum { WORDS = 1024, BUCKETS = 4096, ALTERNATIVES = 8192, PIECES = 4096, MOST = 512 };
 
 /* The words are numbered; the first stand for `#`, as figures do, the next for `$`. */
 enum { NO_WORD, NUMBER, LAST_NUMBER = 12, STITCH };

@@ -133,7 +133,7 @@ bool prose_tells_fabric(const char *text)
 {
     for (text = words_next(text); *text; text += words_length(text) + (words_length(text) == 0))
         if (words_one_of("is|are", text))
-            return words_are(words_next(text), WORDS_PLAIN | WORDS_FABRIC) || words_one_of("knitted|purled", words_next(text)) > 0;
+            return words_are(words_next(text), WORDS_PLAIN | WORDS_FABRIC) || words_one_of("knitted|purled|repeated|worked", words_next(text)) > 0;
     return false;
 }
 

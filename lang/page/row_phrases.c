@@ -254,3 +254,22 @@ size_t row_phrases_form(const char *text, size_t at, char plain[static SIGNS_PLA
     strcpy(plain, "for patt");
     return end - at;
 }
+
+size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    const char *first = words_next(text + at), *join = words_behind_number(first), *second, *verb;
+
+    if (!strchr("\n.", words_sign_before(text, at, " \t")) || !words_are_rows(text + at) || !join)
+        return 0;
+    second = skip_words(join + (*join == '-' || *join == '&'), (const char *const[]){"and", "to", "through"}, 3);
+    verb = second > join ? words_behind_number(second) : NULL;
+    if (!verb || !(words_is(verb, "are") || words_is(verb, "is")))
+        return 0;
+    verb = skip_words(words_next(verb), (const char *const[]){"to", "be", "then", "now"}, 4);
+    if (!words_one_of("repeated|worked|knitted", verb))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, "%s %.*s %d-%d", words_is(verb, "repeated") ? "rep" : "work", (int)words_length(text + at), text + at, words_number(first), words_number(second));
+    verb += words_length(verb);
+    return (words_behind_number(words_skip_blanks(verb)) || words_one_of("twice|once|until|till|for", words_skip_blanks(verb))) && strlen(plain) <= (size_t)(verb - text) - at
+               ? (size_t)(verb - text) - at : 0;
+}

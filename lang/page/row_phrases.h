@@ -21,11 +21,15 @@ size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_
 
 /* `to form the broken rib pattern`, behind rows: `for patt`. */
 size_t row_phrases_form(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
 /* `until it is square (I did 44 rows)`, `till long enough (about 14 times)` of what is repeated: as often as the brackets say. */
 size_t row_phrases_told(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
 /* `the last 2 rows` of `Rows 3-8: repeat the last 2 rows`: `rows 1-2`. */
 size_t row_phrases_last(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
+/* `Rows 1 and 2 are repeated` so often: `rep Rows 1-2`. */
+size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
 /* `work the last 3 sts in seed st`, `3 sts moss st`: `seed 3`. */
 size_t row_phrases_fabric(const char *text, size_t at, char plain[static SIGNS_PLAIN]);

@@ -536,6 +536,7 @@ static const struct sign {
     {"(", false, .says = kinds_length},
     {"wWcC", true, .says = row_phrases_repeats},
     {"tTfF", true, .says = row_phrases_form},
+    {"rR", true, .says = row_phrases_passive},
     {"uUtT", true, .says = row_phrases_told},
     {"tTlLpPaA", true, .says = row_phrases_last},
     {"wWkKfFlLnNoOrRgGsSmMtT0123456789", true, .says = row_phrases_fabric},
