@@ -374,7 +374,11 @@ static bool read_at_width(struct diag *diag, struct row_text *row, long long wid
         return false;
     }
     row->work = read;
-    return true;
+    for (work = read; work && !has_readings(work);)
+        work = work->next;
+    if (work)
+        misfit_readings(diag, row, work, NULL);
+    return !work;
 }
 
 /* ---- the widths of one row ---- */
@@ -421,6 +425,21 @@ static bool fit_end(struct diag *diag, const struct row_text *row, const struct 
     return false;
 }
 
+/* Whether one reading of a part makes the stitches that `to last 8 sts` leaves to it. */
+static bool fit_reading(const struct row_text *row, const struct work *work, struct progress *progress)
+{
+    long long rest = work_length(work->next), first = row_reading(row, work, 0);
+
+    if (!progress->from_end || rest < 0)
+        return false;
+    for (int reading = 0; reading < row_readings(row, work); reading++)
+        if (times(work->length, work->n) + row_reading(row, work, reading) - first == progress->left - rest) {
+            progress->left = rest;
+            return true;
+        }
+    return false;
+}
+
 bool row_fit(struct diag *diag, const struct row_text *row, struct fit *fit)
 {
     struct progress progress = {0};
@@ -433,10 +452,11 @@ bool row_fit(struct diag *diag, const struct row_text *row, struct fit *fit)
         long long length = fixed_length(work);
 
         if (has_readings(work)) {
-            misfit_readings(diag, row, work, NULL);
-            return false;
-        }
-        if (length < 0) {
+            if (!fit_reading(row, work, &progress)) {
+                misfit_readings(diag, row, work, NULL);
+                return false;
+            }
+        } else if (length < 0) {
             if (!fit_open(diag, work, &progress, fit))
                 return false;
         } else if (!progress.from_end) {

@@ -117,8 +117,8 @@ static void hint_broken_off(struct diag *diag, const struct row_text *row, const
         return;
     for (const struct work *work = repeat->next; work; work = work->next)
         behind += work->n * work->length;
-    diag_hint(diag, "where the last repeat is to break off, write what it works: `rep from * to last %lld sts, %s%s`", over + behind, text,
-              behind ? ", .." : "");
+    diag_hint(diag, "where the last repeat is to break off, write what it works: `rep from * to last %s, %s%s`",
+              over + behind == 1 ? "st" : arena_printf(diag->arena, "%lld sts", over + behind), text, behind ? ", .." : "");
 }
 
 /* The line to write for `Row 1: k1, p1` where it is worked to the end. */
@@ -200,10 +200,32 @@ void misfit_rows(struct diag *diag, const struct row_text *row, const struct row
 
 /* ---- two readings ---- */
 
+/* The repeat `to last 9 sts` that a part is behind, and the stitches before it; NULL: it is behind none. */
+static const struct work *leaving(const struct row_text *row, const struct work *work, long long *before)
+{
+    const struct work *open = NULL;
+    long long at = 0;
+
+    for (const struct work *w = row->work; w && w != work; w = w->next)
+        if (w->until == WORK_LAST) {
+            open = w;
+            *before = at;
+        } else {
+            at += w->n * w->length;
+        }
+    return open;
+}
+
 void misfit_readings(struct diag *diag, const struct row_text *row, const struct work *work, const char *left)
 {
-    long long least = row_reading(row, work, 0), most = row_reading(row, work, row_readings(row, work) - 1), n = work->n;
-    const char *otherwise = left ? "" : ", or say how many are cast on";
+    long long before = 0, least, most, n = work->n;
+    const struct work *open = leaving(row, work, &before);
+    const char *otherwise;
+
+    least = row_reading(row, work, 0) - before;
+    most = row_reading(row, work, row_readings(row, work) - 1) - before;
+    left = open && !left ? arena_printf(diag->arena, "the repeat before leaves %lld", open->n) : left;
+    otherwise = left ? "" : ", or say how many are cast on";
 
     if (work->until == WORK_EITHER) {
         diag_error(diag, CODE_ROW_REPEAT, work->span, "`rep from * %lld times` can be read in two ways", n);
