@@ -229,7 +229,7 @@ static void format_row(struct format *f, int indent)
     const struct token *last = token(f) - 1;
     const struct stmt *stmt = statement_of(f, first, last->span.end);
     bool verbatim = comments || !stmt || own_words(first, token(f), stmt);
-    bool marked = f->at > 0 && first[-1].kind == TOKEN_STARS;
+    bool marked = first > f->tokens.at && first[-1].kind == TOKEN_STARS;
     struct span span = {f->source, first->span.start, last->tail.source && verbatim ? last->tail.end : last->span.end};
 
     while (!marked && span.start > first->label.end && strchr("*_", f->source->text[span.start - 1]))
