@@ -198,6 +198,35 @@ size_t row_phrases_last(const char *text, size_t at, char plain[static SIGNS_PLA
     return strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
 }
 
+/* Whether the line above begins with a name of so many bytes, as a row's head does. */
+static bool is_head_above(const char *text, size_t at, const char *name, size_t length)
+{
+    size_t line = words_line_start(text, at), above = line, end;
+
+    if (line == 0)
+        return false;
+    above = words_line_start(text, line - 1 - (line > 1 && text[line - 2] == '\r'));
+    end = above + length;
+    return strncasecmp(text + above, name, length) == 0 && (text[end] == ':' || strncasecmp(text + end, " (RS):", 6) == 0 || strncasecmp(text + end, " (WS):", 6) == 0);
+}
+
+size_t row_phrases_named(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    const char *name = words_next(text + at), *row = name;
+    size_t length;
+
+    if (!words_are(text + at, WORDS_AGAIN) || words_sign_before(text, at, " \t") != '\n' || words_are_rows(name))
+        return 0;
+    for (int i = 0; i < 3 && words_length(row) && !words_are_rows(row); i++)
+        row = words_next(row);
+    length = (size_t)(row - name) + words_length(row);
+    if (!words_are_rows(row) || !is_head_above(text, at, name, length))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, "rep last %.*s", (int)words_length(row), row);
+    length += (size_t)(name - text) - at;
+    return strlen(plain) <= length ? length : 0;
+}
+
 /* Behind `3 edge sts`, `the last 3 stitches`; NULL: another text. *n: how many. */
 static const char *behind_some(const char *text, int *n)
 {

@@ -31,6 +31,9 @@ size_t row_phrases_last(const char *text, size_t at, char plain[static SIGNS_PLA
 /* `Rows 1 and 2 are repeated` so often: `rep Rows 1-2`. */
 size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
+/* `Repeat Rib Round` behind the line `Rib Round: ..`: `rep last Round`. */
+size_t row_phrases_named(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
 /* `work the last 3 sts in seed st`, `3 sts moss st`: `seed 3`. */
 size_t row_phrases_fabric(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 

@@ -538,6 +538,7 @@ static const struct sign {
     {"tTfF", true, .says = row_phrases_form},
     {"rR", true, .says = row_phrases_passive},
     {"uUtT", true, .says = row_phrases_told},
+    {"rR", true, .says = row_phrases_named},
     {"tTlLpPaA", true, .says = row_phrases_last},
     {"wWkKfFlLnNoOrRgGsSmMtT0123456789", true, .says = row_phrases_fabric},
     {"\t", false, .skips = remarks_column},

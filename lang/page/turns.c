@@ -175,6 +175,8 @@ const struct phrase turns_of_pages[] = {
     {"< change|switch to pattern|pat =for|until|till", "work in pat"},
     {"< on? the? next? row? change|switch to pattern|pat and continue|cont|go|work|working to|on? work|working? even|straight? =for|until|till", "work in pat"},
     {"=pattern|patt|pat|rib|ribbing|st|stitch ,|;? and? then work? =# =row|rows|round|rounds|rnd|rnds =in", ". work"},
+    {"^ continue|cont|keep on? alternating between? =these|those|the|rows|rounds|rnds", "work"},
+    {"^ alternate|alternating between? =these|those =#? =rows|rounds|rnds =until|till", "work"},
     {"=# =rows|rounds|rnds or # garter? ridges|ridge", ""},
     {"=# =ridges|ridge or # rows|rounds|rnds", ""},
     {"< change|switch to stockinette|stocking|st st|stitch and|, work|knit # rows|rounds|rnds", "work # rows in st st"},
