@@ -222,6 +222,17 @@ static const struct stmt *statement_of(struct format *f, const struct token *fir
     return *f->row && (*f->row)->span.start < end ? *f->row++ : NULL;
 }
 
+static bool is_text(int kind)
+{
+    return kind == TOKEN_PROSE || kind == TOKEN_GO_ON || kind == TOKEN_FORM_PATTERN || kind == TOKEN_KEPT_EDGES;
+}
+
+/* Whether what comes next stands on the line of the statement before it. */
+static bool is_joined(const struct token *t)
+{
+    return t->first && !t->breaks && t->kind != '}' && t->kind != TOKEN_END;
+}
+
 static void format_row(struct format *f, int indent)
 {
     const struct token *first = token(f);
@@ -241,21 +252,10 @@ static void format_row(struct format *f, int indent)
         format_verbatim(f, span, indent);
         layout_add(f->out, ".", !comments && stop_follows(f, span.end));
     } else
-        row_words(f->out, &f->style, stmt, first->kind, is_stopped(f, stmt, span.end));
+        row_words(f->out, &f->style, stmt, first->kind, is_stopped(f, stmt, span.end) || (stmt->kind == STMT_ROW && is_text(token(f)->kind) && is_joined(token(f))));
 }
 
 /* ---- text around a pattern ---- */
-
-static bool is_text(int kind)
-{
-    return kind == TOKEN_PROSE || kind == TOKEN_GO_ON || kind == TOKEN_FORM_PATTERN || kind == TOKEN_KEPT_EDGES;
-}
-
-/* Whether what comes next stands on the line of the statement before it. */
-static bool is_joined(const struct token *t)
-{
-    return t->first && !t->breaks && t->kind != '}' && t->kind != TOKEN_END;
-}
 
 /* One blank, or the line end that is among them. */
 static void break_words(struct format *f, const char *blanks, size_t n, int indent)
