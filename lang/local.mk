@@ -22,7 +22,7 @@ liblang_a_SOURCES = lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c 
     lang/page/prose_line.c lang/page/prose_asides.c lang/page/prose_parts.c lang/page/prose_rows.c lang/page/remarks.h lang/page/remarks.c lang/page/repeats.h \
     lang/page/repeats.c lang/page/edges.h lang/page/edges.c lang/page/ribs.h lang/page/ribs.c lang/page/row_phrases.h lang/page/row_phrases.c \
     lang/page/run_on.h lang/page/run_on.c lang/page/signs.h lang/page/signs.c lang/page/starred.h \
-    lang/page/starred.c lang/page/sums.h lang/page/sums.c lang/page/turns.h lang/page/turns.c lang/page/wording.h lang/page/wording.c \
+    lang/page/starred.c lang/page/sums.h lang/page/sums.c lang/page/turns.h lang/page/turns.c lang/page/turns_books.c lang/page/wording.h lang/page/wording.c \
     lang/page/words.h lang/page/words.c lang/page/yarns.h lang/page/yarns.c \
     lang/format/chart_lines.h lang/format/chart_lines.c lang/format/format.h lang/format/format.c \
     lang/format/layout.h lang/format/layout.c lang/format/meaning.h lang/format/meaning.c lang/format/own_words.h lang/format/own_words.c \

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * Tables: turns of phrase of pages and of printed books, and what they are plainly (phrases.h says how to read it). */
+ * A table: turns of phrase of pages, and what they are plainly (phrases.h says how to read it). */
 #include "lang/page/turns.h"
 
 const struct phrase turns_of_pages[] = {
@@ -269,6 +269,8 @@ const struct phrase turns_of_pages[] = {
     {"=# pearl|perl", "purl"},
     {"plain knitting", "knit"},
     {"( =rep|repeat =from =* =# =times )", ""},
+
+    /* repeats within a row */
     {"=rep|repeat|rep. * -|to|and? * =to|across|until|till", "*"},
     {"=rep|repeat|rep. between|inside|within? (|[ )|]", ""},
     {"=: repeat|rep =(|[|*|k|p|knit|purl|$", ""},
@@ -280,16 +282,22 @@ const struct phrase turns_of_pages[] = {
     {"=repeat|rep the? instructions|directions|pattern|sequence|stitches|sts =from =*", ""},
     {"continue|cont|keep repeating =from =*", "rep"},
     {"=knit|purl|k|p the? last|remaining|final|first # =,|.|;", "#"},
+
+    /* rows again, rows of one stitch */
     {"work|knit # more|further|additional repeats|repetitions|reps of the? pattern|patt", "rep them x # more"},
     {"=: see =row|rnd|round =#", "as"},
     {"^ end|finish|ending|finishing|begin|start with # knit =rows|rnds|rounds", "knit #"},
     {"=knit|purl across|even for =# =rows|rnds|rounds", ""},
     {"=knit|purl =# =rows|rnds|rounds even|straight|plain", ""},
+
+    /* on which side */
     {"=rows|rnds ,? beginning|starting|begin|commencing|start with|on a|the? ws row|side?", "(WS)"},
     {"=rows|rnds ,? beginning|starting|begin|commencing|start with|on a|the? wrong side row?", "(WS)"},
     {"^ beginning|starting|begin|commencing|start with|on a|the? ws|wrong side? row? , knit # rows", "knit # rows (WS)"},
     {"( this|which is the|a? wrong|ws side? row? )", " WS"},
     {"( this|which is the|a? right|rs side? row? )", " RS"},
+
+    /* rows again, of which is told what is done */
     {"^ the|these # rows|rounds|rnds are to? be? repeated =#|twice|once|until|for", "rep these rows"},
     {"^ the|these # rows|rounds|rnds are to? be? worked|knitted =#|twice|once|until|for", "work these rows"},
     {"=row|rows|rnd|rnds|round|rounds =# ( =and|& =# )", ""},
@@ -304,12 +312,16 @@ const struct phrase turns_of_pages[] = {
     {"=repeat|rep both rows|rounds|rnds", "them"},
     {"=for # rows|rounds|rnds more", "# more rows"},
     {"^ the last|final # =rows|rnds|rounds are all? knit|knitted", "knit #"},
+
+    /* heads, and what stitches are for */
     {"^ =# st|nd|rd|th =: =k|p|knit|purl|*|(|[|$", ""},
     {"^ ( =# =) =k|p|knit|purl|*|(|[|$", ""},
     {"=row|rnd|round =# : =rs|ws =:", ""},
     {"=$ for|as the|a|each|left|right? side|garter? border|edge|edging|band|selvedge|selvage", ""},
     {"=: rib as set|established|est|before", "patt"},
     {"join in|into the|a? round|rnd|rounds|circle and|,? and? =knit|work|purl =#", "."},
+
+    /* rows of a fabric */
     {"! begin|start|finish|end|beginning|starting with =# =rows|rnds|rounds =of|in? =garter|g|seed|moss|stockinette|stocking|st|$|1x1|2x2", "work"},
     {"! begin|start|finish|end by|with knitting =#", "knit"},
     {"! begin|start|finish|end by|with working =#", "work"},
@@ -504,102 +516,3 @@ const struct phrase turns_of_pages[] = {
     {"=same|work =as =row", ""},
 };
 const int turns_of_pages_number = sizeof turns_of_pages / sizeof *turns_of_pages;
-
-const struct phrase turns_of_books[] = {
-    {"=knitting|knit =# =,|and =and? purling =#", "purl"},
-    {"=purling|purl =# =,|and =and? knitting =#", "knit"},
-    /* plain and purl */
-    {"=knit|purl|k|p|k.|p. =# plain|purl =row|rows|round|rounds|rnd|rnds|rd|rds", ""},
-    {"=knit|k =# =row|rows|round|rounds|rnd|rnds|rd|rds plain", ""},
-    {"work|do # plain =row|rows|round|rounds|rnd|rnds|rd|rds", "knit #"},
-    {"work|do # purl =row|rows|round|rounds|rnd|rnds|rd|rds", "purl #"},
-    {"work|do =# =row|rows|round|rounds|rnd|rnds|rd|rds plain", "knit"},
-    {"^ # plain =row|rows|round|rounds|rnd|rnds|rd|rds", "k #"},
-    {"^ # purl =row|rows|round|rounds|rnd|rnds|rd|rds", "p #"},
-    {"=knit|k plain? for =# =row|rows|round|rounds|rnd|rnds|rd|rds", ""},
-    {"and? knit|k plain =until|till|for", "k all rows"},
-    {"=knit|k plain", ""},
-    {"k. =every|each|all =row|rows|round|rounds|rnd|rnds", "k"},
-    {"p. =every|each|all =row|rows|round|rounds|rnd|rnds", "p"},
-    {"in plain -? knitting|knit =for =a? =further|another? =# =more? =rounds|rnds|rds", "in st st"},
-    {"in plain - knitting|knit", "in garter"},
-    {"in plain knitting|knit", "in garter"},
-    {"plain =#", "k"},
-    {"=# plain", "k"},
-    {"seam =# =,|;|.|sts|stitches", "p"},
-
-    {"=knit|purl =every|each|all =row|rows|round|rounds plain", ""},
-    {", then|and =knit|purl|k|p|k.|p.|work =# =row|rows|round|rounds|rnd|rnds", "."},
-    {", and then =knit|purl|k|p|k.|p.|work =# =row|rows|round|rounds|rnd|rnds", "."},
-    {",? and? then? finish|end with # plain =row|rows|round|rounds|rnd|rnds", ". knit #"},
-    {"set -? up rows|row|rounds|rnds|round : =knit|k|k.|purl|p|p.|work =# =row|rows|round|rounds|rnd|rnds", ""},
-
-    {"=# =ridges|ridge in|of garter|g -? st.|st|stitch", ""},
-
-    /* cast on */
-    {"^ set|put up|on =# =sts|stitches", "co"},
-    {"any number of sts|stitches divisible by", "multiple of"},
-    {"a? number of sts|stitches divisible by", "multiple of"},
-    {"stitches|sts in multiples of", "multiple of"},
-    {",? and # over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
-    {",? and # sts|stitches over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
-    {"=sts . =,", ""},
-    {":|,|;|- # on|to each|a|every needle|pin|wire", ""},
-    {":|,|;|- # on|to each of # needles|pins|wires", ""},
-    {"any number of sts|stitches that may|will|can|must be? divided|divide by", "multiple of"},
-    {"=cast =on the|a|any|your? required|desired|needed|wanted|necessary|correct? number of sts|stitches -|–|—|,? that|which|this|it? should|must? is|be? a =multiple =of", ""},
-    {"=cast =on the|a|any|your? required|desired|needed|wanted|necessary|correct? number of sts|stitches -|–|—|,? that|which|this|it? should|must? is|be? =multiple =of", ""},
-    {"=cast =on # sts|stitches for each|every pattern|patt|repeat", "multiple of #"},
-    {"=cast =on =# =sts|stitches|sts. , # patterns|patts|repeats|reps", ""},
-
-    {"=sts . =loosely|tightly|firmly|and|fairly|rather", ""},
-
-    /* rows again */
-    {"=# incl.|incl|inclusive", ""},
-    {"=row|rows|round|rounds|rnd|rnds alternately", ""},
-    {"=time|times|twice|once|more|thrice ,? then|and|and then? cast|bind off", "; bind off"},
-    {"=time|times|twice|once|more|thrice ,? and cast|bind off", "; bind off"},
-    {"=row|rows|round|rounds|rnd|rnds the same", ""},
-    {"=row|rows|round|rounds|rnd|rnds in the|this same? way|manner", ""},
-    {"=row|rows|round|rounds|rnd|rnds thus|so|likewise", ""},
-    {"continue|cont|cont.|work|proceed in|on this|these|the|same? same? way|manner|fashion|lines", "work in patt"},
-    {"work|continue|cont|repeat|rep in? the? pattern|patt|pat? st|stitch? until|till # complete|full? repeats|reps|repetitions of the? pattern|patt are|have|has|is been? completed|worked|done|complete|made", "rep them # times in all"},
-    {"work|continue|cont|repeat|rep in? the? pattern|patt|pat? st|stitch? until|till # complete|full|pattern? patterns|patts|pattern|repeats|reps are|have|has|is been? completed|worked|done|complete|made", "rep them # times in all"},
-
-    /* within a row */
-    {"( r . s .? facing )", "(rs)"},
-    {"( w . s .? facing )", "(ws)"},
-    {"=:|. right side facing|out ,|.|;|:|-?", "(rs)"},
-    {"=:|. wrong side facing|out ,|.|;|:|-?", "(ws)"},
-    {"=repeat|rep the same", ""},
-    {"all round|around", "around"},
-    {"=last =#? =sts|stitches|st ,? which|these? knit|k", ", k to end"},
-    {"which knit|k", "k to end"},
-    {"which purl|p|pearl|seam", "p to end"},
-    {"knit|k over knit|k|knits and|, p|purl over purl|p|purls", "k k st p p st"},
-    {"purl|p over purl|p|purls and|, k|knit over knit|k|knits", "k k st p p st"},
-    {"knit|k over purl|p|purls and|, p|purl over knit|k|knits", "k p st p k st"},
-    {"purl|p over knit|k|knits and|, k|knit over purl|p|purls", "k p st p k st"},
-    {"as the sts|stitches face|appear|come|present you|themselves?", "k k st p p st"},
-    {"as facing", "k ks p ps"},
-
-    /* refused by their names */
-    {"w|wl|wool .? fwd|fd|forward .?", "wfwd"},
-    {"y|yn|yarn .? fwd|fd|f .?", "yfwd"},
-    {"w|y . r . n .?", "yrn"},
-    {"p . s . s . o .?", "psso"},
-    {"t . b . l .?", "tbl"},
-    {"m . #", "m#"},
-    {"c . # .? f|l .?", "c#f"},
-    {"c . # .? b|r .?", "c#b"},
-    {"thread|cotton|silk|worsted|wool forward|fwd|over", "yfwd"},
-
-    /* fabrics */
-    {"st. - st.|st", "st st"},
-    {"g. - st.|st", "g st"},
-    {"=beg|begin|beginning|start|starting|commencing purl|p =,|row|rows", "on p"},
-    {"beg|begin|start purl =, =work", "beg on p"},
-    {"beginning|starting|commencing purl", "beg with p"},
-    {"in rib|ribbing of", "in"},
-};
-const int turns_of_books_number = sizeof turns_of_books / sizeof *turns_of_books;
