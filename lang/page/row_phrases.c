@@ -11,6 +11,7 @@
 #include "lang/page/lengths.h"
 #include "lang/page/prose.h"
 #include "lang/page/remarks.h"
+#include "lang/page/ribs.h"
 #include "lang/page/words.h"
 
 size_t row_phrases_star(const char *text, size_t at, char plain[static SIGNS_PLAIN])
@@ -301,4 +302,19 @@ size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_
     verb += words_length(verb);
     return (words_behind_number(words_skip_blanks(verb)) || words_one_of("twice|once|until|till|for", words_skip_blanks(verb))) && strlen(plain) <= (size_t)(verb - text) - at
                ? (size_t)(verb - text) - at : 0;
+}
+
+size_t row_phrases_rib(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    const char *pair = skip_words(text + at, (const char *const[]){"work", "in"}, 2), *rib, *to;
+    int knit, purl;
+    size_t n = ribs_pair(pair, &knit, &purl), word;
+
+    rib = words_skip_blanks(pair + n);
+    word = words_one_of("ribbing|rib", rib);
+    to = words_skip_blanks(rib + word);
+    if (!n || !word || strchr("\n.", words_sign_before(text, at, " \t")) || !words_one_of("to the last|to last|to marker|to next|to m|to the next|to the marker", to))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, "(k%d, p%d)", knit, purl);
+    return strlen(plain) <= (size_t)(rib + word - text) - at ? (size_t)(rib + word - text) - at : 0;
 }

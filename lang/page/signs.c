@@ -536,6 +536,7 @@ static const struct sign {
     {"(", false, .says = kinds_length},
     {"wWcC", true, .says = row_phrases_repeats},
     {"tTfF", true, .says = row_phrases_form},
+    {"wWiI", true, .says = row_phrases_rib},
     {"rR", true, .says = row_phrases_passive},
     {"uUtT", true, .says = row_phrases_told},
     {"rR", true, .says = row_phrases_named},
