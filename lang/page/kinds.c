@@ -83,7 +83,7 @@ static size_t says_rows_first(const char *text, bool bracket, const char **head,
     if (*stitch && (ends(behind + n) || words_one_of("across|all|every|to|plain", words_skip_blanks(behind + n))))
         return (size_t)(behind + n - text);
     *stitch = 0;
-    return dash > rows + 1 && behind == words_skip_blanks(dash) && prose_stitches_follow(behind) ? (size_t)(behind - text) : 0;
+    return dash > words_skip_blanks(rows) && behind == words_skip_blanks(dash) && (prose_stitches_follow(behind) || words_one_of("knit the|purl the", behind)) ? (size_t)(behind - text) : 0;
 }
 
 /* Whether a colon ends `Note:`. */

@@ -278,6 +278,8 @@ const struct phrase turns_of_pages[] = {
     {"up =to =the? =last|end|marker|within", ""},
     {",|(|; removing|dropping|slipping|moving all|the? markers|marker as? you? go|come|work|encounter|reach? to? them? )?", ""},
     {"! knit =in =patt|pattern|pat", "work"},
+    {"! work|knit # rows|row|rnds|rounds of|in? =*|[", "for # rows:"},
+    {"=: in =pattern|patt|pat", ""},
     {"=rows|rounds|rnds =in =the? =pattern|patt stitch|st", ""},
     {"=rows|rounds|rnds =in the? stitch =pattern|patt", ""},
     {"=rep|repeat =from =* as many|often times? as you? needed|necessary|required|need|can|possible =to|until|till|across", ""},
