@@ -29,11 +29,11 @@ static void run_format(struct arena *arena, struct diag *diag, const struct sour
 
     if (!before)
         return;
-    text = format_script(arena, diag, source, NULL, &length);
+    text = format_script(arena, diag, source, &(struct compile_options){.work = WORK}, &length);
     assert(text);
     after = compile(arena, diag, source_from_text(arena, "formatted", text, length));
     assert(after && grid_equal(before->grid, after->grid));
-    twice = format_script(arena, diag, source_from_text(arena, "formatted", text, length), NULL, &again);
+    twice = format_script(arena, diag, source_from_text(arena, "formatted", text, length), &(struct compile_options){.work = WORK}, &again);
     assert(twice && again == length && memcmp(text, twice, length) == 0);
 }
 
