@@ -21,6 +21,8 @@ bool rows_labelled(struct row_list *list, struct span span, const int *label, in
         texts->text[i] = label[i] > 0 && label[i] < list->label_room ? list->label[label[i]] : NULL;
         if (!texts->text[i])
             texts->text[i] = unnumbered(list, label[i]);
+        if (!texts->text[i])
+            texts->text[i] = row_list_counted(list, label[i]);
         if (list->failed || texts->text[i])
             continue;
         diag_error(list->diag, CODE_ROW_REFERENCE, span, "there is no row %d to repeat", label[i]);

@@ -62,6 +62,7 @@ struct row_list {
     int nmarks, mark_room;
     enum side row_1; /* the side of row 1 by what the page says of its rows, or */
     bool begins;                    /* that of the first row worked, */
+    bool counts_on;                 /* rows that were worked again have the numbers before later ones, */
     bool front;                     /* and that they are a loom's: all are worked from the front */
     struct part *part;              /* those before the one above */
     bool describes;                 /* each part is a pattern of its own, not worked yet, */
@@ -80,6 +81,9 @@ struct row_text **row_list_grown(struct row_list *, struct row_text **, int *roo
 
 /* The text given with a row's own number, or NULL. */
 const struct row_text *row_list_numbered(const struct row_list *, int label);
+
+/* The row that was worked again behind all with numbers and has this one, where later numbers count such rows; or NULL. */
+struct row_text *row_list_counted(const struct row_list *, int label);
 
 /* The part so far is kept, to be chosen later. */
 void row_list_keep_part(struct row_list *);

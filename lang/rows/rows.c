@@ -148,7 +148,15 @@ static void count_on(struct row_list *list, int label)
     list->label = row_list_grown(list, list->label, &list->label_room, label);
     for (int between = list->last_label + 1; list->last_label && between < label; between++)
         list->label[between] = list->order[before + between - list->first_label];
+    list->counts_on |= list->last_label && label > list->last_label + 1;
     list->first = label;
+}
+
+struct row_text *row_list_counted(const struct row_list *list, int label)
+{
+    int place = rows_before_first(list) + label - list->first_label;
+
+    return list->counts_on && label > list->last_label && place < list->norder ? list->order[place] : NULL;
 }
 
 static void add_at(struct row_list *list, struct row_text *text, int label)
