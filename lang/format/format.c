@@ -445,8 +445,10 @@ static void format_statement(struct format *f, int indent)
     int kind = token(f)->kind, begin = f->at, n;
 
     if (token(f)->label.source) {
+        bool comma = f->source->text[token(f)->label.end] == ',';   /* `Using 4mm needles, cast on 20` */
+
         format_words(f, token(f)->label, indent);
-        layout_add(f->out, " ", 1);
+        layout_add(f->out, comma ? ", " : " ", comma ? 2 : 1);
     }
     if (is_knitters(kind)) {
         format_row(f, indent);

@@ -12,7 +12,7 @@ tests_format_test_random_LDADD = liblang.a $(CMOCKA_LIBS)
 endif
 
 EXTRA_DIST += $(format_tests) \
-    tests/format/labels.knit tests/format/labels.expected \
+    tests/format/labels.knit tests/format/labels.expected tests/format/markers.knit tests/format/markers.expected \
     tests/format/own_k.knit tests/format/own_k.expected \
     tests/format/pasted.knit tests/format/pasted.expected \
     tests/format/script.knit tests/format/script.expected
