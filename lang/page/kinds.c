@@ -104,6 +104,25 @@ static size_t closed(const char *text, size_t n)
     return *end == ')' ? (size_t)(end + 1 - text) : 0;
 }
 
+/* `Purl rows 2, 3 and 4`: its bytes, and `rows 2, 3 and 4:p`. */
+static size_t numbered_length(const char *text, char plain[static SIGNS_PLAIN])
+{
+    size_t n;
+    char stitch = stitch_of(text, &n);
+    const char *rows = words_skip_blanks(text + n), *end = words_next(rows);
+
+    if (!stitch || rows == text + n || !words_are_rows(rows) || !isdigit((unsigned char)*end))
+        return 0;
+    while (isdigit((unsigned char)*end) || (strchr(" ,-&", *end) && *end) || words_one_of("and|to", end))
+        end += words_one_of("and|to", end) ? words_length(end) : 1;
+    while (strchr(" ,-&", end[-1]))
+        end--;
+    if (!ends(end) || end - rows > SIGNS_PLAIN - 4)
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, "%.*s:%c", (int)(end - rows), rows, stitch);
+    return (size_t)(end - text);
+}
+
 size_t kinds_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     size_t sign = at, n, open = text[at] == '(';
@@ -114,6 +133,9 @@ size_t kinds_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
         sign--;
     if (!strchr(".;\r\n", before) && !(before == ':' && is_note(text, sign - 1)))
         return 0;
+    n = strchr("\r\n.", before) && !open ? numbered_length(text + at, plain) : 0;
+    if (n)
+        return n;
     n = says_stitch_first(text + at + open, &head, &stitch);
     n = n ? n : says_rows_first(text + at + open, open, &head, &stitch);
     n = n && open ? closed(text + at, n + 1) : n;
