@@ -282,7 +282,7 @@ const struct phrase turns_of_pages[] = {
     {"=rows|rnds|rounds , and? =bind|cast =off", "."},
     {"=st|stitch|stockinette|rib|ribbing|garter ,|; and? then? =knit|purl|work|k|p =# =rows|rnds|rounds|ridges", "."},
     {"! next|finally|lastly|now|then|first|afterwards|afterward , =work|knit|purl|repeat|rep|cast|bind|continue|cont", ""},
-    {"! work|knit # rows|row|rnds|rounds of|in? =*|[", "for # rows:"},
+    {"< work|knit # rows|row|rnds|rounds of|in? =*|[", "for # rows:"},
     {"=: in =pattern|patt|pat", ""},
     {"=rows|rounds|rnds =in =the? =pattern|patt stitch|st", ""},
     {"=rows|rounds|rnds =in the? stitch =pattern|patt", ""},
