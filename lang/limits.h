@@ -23,6 +23,7 @@ enum {
     LIMIT_ROWS         = 1000 * 1000,           /* of one fabric */
     LIMIT_WRITTEN_ROWS = 100 * 1000,            /* row instructions, loops expanded */
     LIMIT_ITEMS        = 1000 * 1000,           /* stitches and groups in them, loops expanded */
+    LIMIT_MARKERS      = 500,                   /* that hang in a row at once */
     LIMIT_STEPS        = 40 * 1000 * 1000,      /* of evaluation */
     LIMIT_NAMES        = 10 * 1000,             /* declared in one file */
     LIMIT_LIST         = 100 * 1000,            /* values of one list or range */

@@ -96,9 +96,7 @@ static bool work_row(struct row_list *list, struct row_text *text, struct marked
         return false;
     if (!(is_between(text) ? row_edges_work : row_work)(list->diag, text, row.width, from, before, worked) || !work_end(list, text, row.width, from, worked))
         return false;
-    if (text->marked)
-        markers_worked(list->arena, markers, row);
-    return true;
+    return !text->marked || markers_worked(list->diag, markers, row);
 }
 
 const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from,

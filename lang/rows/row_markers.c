@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "lang/limits.h"
 #include "lang/names.h"
 #include "lang/rows/row_fit.h"
 
@@ -90,24 +91,20 @@ struct work *markers_reached(struct diag *diag, const struct markers *markers, s
 
 /* ---- what a row does with them ---- */
 
-static void place(struct arena *arena, struct markers *markers, int at)
+/* False where too many hang. */
+static bool place(struct markers *markers, int at)
 {
     int i = markers->n;
 
     while (i && markers->at[i - 1] > at)
         i--;
     if (i && markers->at[i - 1] == at)
-        return;
-    if (markers->n == markers->room) {
-        int *old = markers->at;
-
-        markers->room = 2 * markers->room + 8;
-        markers->at = arena_array(arena, int, (size_t)markers->room);
-        if (markers->n)
-            memcpy(markers->at, old, (size_t)markers->n * sizeof *old);
-    }
+        return true;
+    if (markers->n == LIMIT_MARKERS)
+        return false;
     memmove(markers->at + i + 1, markers->at + i, (size_t)(markers->n++ - i) * sizeof *markers->at);
     markers->at[i] = at;
+    return true;
 }
 
 static void take_away(struct markers *markers, int at)
@@ -119,26 +116,31 @@ static void take_away(struct markers *markers, int at)
         }
 }
 
-/* One pass of a list of work from a place of the row on; returns the place behind it. */
-static long long pass(struct arena *arena, struct markers *markers, struct marked_row row, const struct work *work, long long here)
+/* One pass of a list of work from a place of the row on; returns the place behind it, -1 where too many markers hang. */
+static long long pass(struct markers *markers, struct marked_row row, const struct work *work, long long here)
 {
     for (; work; work = work->next) {
         int at = (int)(row.side == SIDE_WS ? row.width - here : here);
 
-        if (work->mark == MARK_PLACED)
-            place(arena, markers, at);
-        else if (work->mark == MARK_REMOVED)
+        if (work->mark == MARK_PLACED && !place(markers, at))
+            return -1;
+        if (work->mark == MARK_REMOVED)
             take_away(markers, at);
         if (work->child && work_has_marker(work->child))
-            for (long long i = 0; i < work->n; i++)
-                here = pass(arena, markers, row, work->child, here);
+            for (long long i = 0; i < (work->length ? work->n : 1) && here >= 0; i++)
+                here = pass(markers, row, work->child, here);
         else
             here += work->length * work->n;
+        if (here < 0)
+            return -1;
     }
     return here;
 }
 
-void markers_worked(struct arena *arena, struct markers *markers, struct marked_row row)
+bool markers_worked(struct diag *diag, struct markers *markers, struct marked_row row)
 {
-    pass(arena, markers, row, row.text->work, 0);
+    if (pass(markers, row, row.text->work, 0) >= 0)
+        return true;
+    diag_error(diag, CODE_LIMIT_ROWS, row.text->span, "more than %d markers hang in this row", LIMIT_MARKERS);
+    return false;
 }

@@ -3,12 +3,13 @@
 #ifndef WEFT_ROW_MARKERS_H
 #define WEFT_ROW_MARKERS_H
 
+#include "lang/limits.h"
 #include "lang/rows/rows.h"
 
 /* Where they hang: stitches from the right edge, ascending, each place once. */
 struct markers {
-    int *at;            /* (n) of room */
-    int  n, room;
+    int at[LIMIT_MARKERS];      /* (n) */
+    int n;
 };
 
 /* A row in work: so many stitches, from this side. `round`: behind the last stitch hangs one, too. */
@@ -20,7 +21,7 @@ bool work_has_marker(const struct work *);
 /* The row's work with the stitches left for each `to marker`; NULL, with a message, where none hangs ahead, or not there. */
 struct work *markers_reached(struct diag *, const struct markers *, struct marked_row);
 
-/* Hangs and takes away what the row does; its work has its times. */
-void markers_worked(struct arena *, struct markers *, struct marked_row);
+/* Hangs and takes away what the row does; its work has its times. False, with a message, past the limit. */
+bool markers_worked(struct diag *, struct markers *, struct marked_row);
 
 #endif
