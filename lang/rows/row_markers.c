@@ -78,7 +78,12 @@ struct work *markers_reached(struct diag *diag, const struct markers *markers, s
     for (const struct work *work = row.text->work; work; work = work->next, to = &(*to)->next) {
         *to = arena_new(diag->arena, struct work);
         **to = *work;
-        if (work->until == WORK_MARKER && here >= 0) {
+        if (work->until == WORK_MARKER && here < 0) {
+            diag_error(diag, CODE_ROW_REPEAT, work->span, "how far the repeat before this goes is open");
+            diag_hint(diag, "say where it ends: `rep from * to last 2 sts`");
+            return NULL;
+        }
+        if (work->until == WORK_MARKER) {
             (*to)->until = WORK_LAST;
             (*to)->n = left_behind(diag, work, markers, row, here);
             if ((*to)->n < 0)
