@@ -7,6 +7,7 @@
 
 #include "lang/page/page_chart.h"
 #include "lang/page/prose.h"
+#include "lang/page/repeats.h"
 #include "lang/syntax.h"
 #include "lang/page/words.h"
 
@@ -127,7 +128,7 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
 
     /* `rep from *`, `rep to end`; not `repeat for pattern`, `rep 1st and 2nd rows`. */
     if (words_is_name(text, "rep") || words_is_name(text, "repeat"))
-        return !prose_repeats_rows(text + length) && !ends_in_colon(text);
+        return !prose_repeats_rows(text + length) && !ends_in_colon(text) && !(scanner_row_is_full(scanner) && repeats_so_often(words_next(text)));
     if (words_is_name(text, "end") || words_is_name(text, "ending"))
         return ends_row(text + length + strspn(text + length, " \t"));
     if (words_is_name(text, "to"))

@@ -9,6 +9,7 @@
 #include "lang/page/page_chart.h"
 #include "lang/page/page_sides.h"
 #include "lang/page/prose.h"
+#include "lang/page/repeats.h"
 #include "lang/syntax.h"
 #include "lang/token_values.h"
 #include "lang/page/words.h"
@@ -202,6 +203,15 @@ size_t scanner_cast_on(const struct scanner *scanner, const char *text, size_t l
     return cast_on ? cast_on : first && prose_has_cast_on(SCANNER_TEXT(scanner)) ? length : 0;
 }
 
+bool scanner_row_is_full(const struct scanner *scanner)
+{
+    size_t margin = scanner->at < WORDS_MARGIN ? scanner->at : WORDS_MARGIN;
+    bool letters = isalpha((unsigned char)words_sign_before(SCANNER_TEXT(scanner) - margin, margin, ". \t\r\n"));
+
+    return !scanner->star && !scanner_in_bracket(scanner) &&
+           (scanner->previous == TOKEN_TO_END || scanner->previous == TOKEN_REP_FROM || (scanner->previous == TOKEN_NAME && letters));
+}
+
 bool scanner_stops(const struct scanner *scanner, char mark)
 {
     const char *text = SCANNER_TEXT(scanner), *next = words_skip_blanks(text), *number = words_next(next);
@@ -210,6 +220,8 @@ bool scanner_stops(const struct scanner *scanner, char mark)
     if (words_are_rows(next) && (isdigit((unsigned char)*number) || *number == '{'))
         return true;
     if (mark != ',' && next > text && prose_sentence_begins(next))
+        return true;
+    if (mark == '.' && words_are(next, WORDS_AGAIN) && scanner_row_is_full(scanner) && repeats_so_often(number))
         return true;
     return mark == '.' && (prose_is_aside(text) || (alone && prose_remark_follows(text)));
 }

@@ -128,6 +128,9 @@ bool scanner_takes_colon(const struct scanner *);
 /* How much of `text`, `With .. cast on`, is read as `cast on`; 0: it is no such sentence. */
 size_t scanner_cast_on(const struct scanner *, const char *text, size_t length);
 
+/* In a row, whether what was read of it is all of its stitches: `purl`, `k2, p2 to end`; by its last word. */
+bool scanner_row_is_full(const struct scanner *);
+
 /* Whether a row's text ends with its mark . ; or , that was read last: another sentence follows. */
 bool scanner_stops(const struct scanner *, char mark);
 

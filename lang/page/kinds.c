@@ -10,14 +10,6 @@
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
 
-static const char *skip_words(const char *text, const char *list)
-{
-    text = words_skip_blanks(text);
-    for (size_t n; (n = words_one_of(list, text)) > 0;)
-        text = words_skip_blanks(text + n);
-    return text;
-}
-
 /* Behind `wrong side (even) rows`; NULL: another text. *head: what these rows are called. */
 static const char *behind_kind(const char *text, const char **head)
 {
@@ -27,9 +19,9 @@ static const char *behind_kind(const char *text, const char **head)
         {"every other|all other|other|every alternate|alternate|alternating|every second", "every other row", "every other rnd"}};
     bool round;
 
-    text = skip_words(text, "all|each|the|of|remaining");
+    text = words_skip_any(text, "all|each|the|of|remaining");
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        const char *rows = skip_words(text, i < 4 ? "every|all|the|remaining" : "the");
+        const char *rows = words_skip_any(text, i < 4 ? "every|all|the|remaining" : "the");
         size_t n = words_one_of(kinds[i].words, rows);
 
         if (!n)
@@ -65,7 +57,7 @@ static size_t says_stitch_first(const char *text, const char **head, char *stitc
     *stitch = stitch_of(text, &n);
     if (!*stitch || text[n] != ' ')
         return 0;
-    behind = behind_kind(skip_words(text + n, "back|on|in|across|for"), head);
+    behind = behind_kind(words_skip_any(text + n, "back|on|in|across|for"), head);
     return behind && ends(behind) ? (size_t)(behind - text) : 0;
 }
 
@@ -78,7 +70,7 @@ static size_t says_rows_first(const char *text, bool bracket, const char **head,
     if (!behind || (*behind == ':' && !bracket))
         return 0;
     dash = behind + strspn(behind, "-,=:\xE2\x80\x93\x94");
-    behind = skip_words(dash, "are|is|should|must|will|to|be|get|all|always|just");
+    behind = words_skip_any(dash, "are|is|should|must|will|to|be|get|all|always|just");
     *stitch = stitch_of(behind, &n);
     if (*stitch && (ends(behind + n) || words_one_of("across|all|every|to|plain", words_skip_blanks(behind + n))))
         return (size_t)(behind + n - text);
@@ -99,7 +91,7 @@ static bool is_note(const char *text, size_t colon)
 /* Behind the bracket that closes the sentence; 0: more stands before it. */
 static size_t closed(const char *text, size_t n)
 {
-    const char *end = skip_words(text + n, "across|all|sts|stitches|to|end|.");
+    const char *end = words_skip_any(text + n, "across|all|sts|stitches|to|end|.");
 
     return *end == ')' ? (size_t)(end + 1 - text) : 0;
 }

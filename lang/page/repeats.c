@@ -63,6 +63,15 @@ static size_t last_length(const char *text)
     return (size_t)(at - text);
 }
 
+bool repeats_so_often(const char *text)
+{
+    const char *at = words_are(text, WORDS_OFTEN) ? words_next(text) : prose_times_follow(text) ? words_skip_blanks(words_behind_number(text)) : NULL;
+
+    while (at && (words_are(at, WORDS_TIMES) || words_is(at, "more")))
+        at = words_next(at);
+    return at && (!*at || strchr(".,;\r\n", *at));
+}
+
 /* `Repeat the instructions between the stars`, `Repeat the following four rows:`: nothing that is worked here. */
 static bool is_advice(const char *text)
 {
@@ -116,6 +125,8 @@ int repeats_kind(const char *text, size_t *length)
     *length = words_length(text);
     if (is_advice(word))
         return 0;
+    if (repeats_so_often(word))
+        return TOKEN_REPEAT_THEM;
     if ((n = ordinal_length(rows)) > 0)
         return prose_names_row(rows + n) ? TOKEN_REPEAT_ROWS : 0;
     if (words_is(word, "for"))

@@ -16,6 +16,9 @@ size_t repeats_rows_length(const char *text);
 /* Whether a text begins with `1-4`, `1 to 4` of a list of rows, to be worked so often or so long: no stitches follow. */
 bool repeats_range(const char *text);
 
+/* Whether a text begins with `3 times`, `once more`, and its sentence ends there. */
+bool repeats_so_often(const char *text);
+
 /* ` small basketweave` behind `repeat rows 1-4 for`, a name and no number: its bytes, or 0. */
 size_t repeats_name_length(const char *text);
 

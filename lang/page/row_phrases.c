@@ -31,15 +31,6 @@ size_t row_phrases_star(const char *text, size_t at, char plain[static SIGNS_PLA
     return strlen(plain) <= close - at ? close - at : 0;
 }
 
-/* Behind words of a list and the blanks between. */
-static const char *skip_words(const char *text, const char *const *word, int n)
-{
-    text = words_skip_blanks(text);
-    while (words_find(text, word, n) >= 0)
-        text = words_next(text);
-    return text;
-}
-
 /* `k1`, `purl 2`: its bytes; or 0. */
 static size_t stitch_length(const char *text)
 {
@@ -101,17 +92,14 @@ size_t row_phrases_sided(const char *text, size_t at, char plain[static SIGNS_PL
 
 size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    static const char *const lead[] = {"work", "cont", "continue", "in", "the", "pattern", "patt", "pat", "until", "till", "you", "have", "there", "are", "worked"},
-                             *const of[] = {"full", "complete", "completed", "whole", "pattern", "repeat", "repeats", "reps", "repetitions", "of", "the"},
-                             *const joins[] = {"to", "and", "through"},
-                             *const done[] = {"have", "has", "are", "is", "been", "worked", "completed", "complete", "done", "made", "knitted"};
-    const char *number = words_find(text + at, lead, 3) >= 0 ? skip_words(text + at, lead, 15) : text + at, *rows, *first, *last, *end;
+    static const char *const lead[] = {"work", "cont", "continue"};
+    const char *number = words_find(text + at, lead, 3) >= 0 ? words_skip_any(text + at, "work|cont|continue|in|the|pattern|patt|pat|until|till|you|have|there|are|worked") : text + at, *rows, *first, *last, *end;
     bool until = false;
     int n = number > text + at && words_behind_number(number) ? words_number(number) : 0;
 
     if (n < 1)
         return 0;
-    rows = skip_words(words_behind_number(number), of, 11);
+    rows = words_skip_any(words_behind_number(number), "full|complete|completed|whole|pattern|repeat|repeats|reps|repetitions|of|the");
     first = words_next(rows);
     if (!words_are_rows(rows) || !isdigit((unsigned char)*first) || tolower((unsigned char)rows[words_length(rows) - 1]) != 's')
         return 0;
@@ -119,11 +107,11 @@ size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_
         until |= words_is(word, "until") || words_is(word, "till");
     last = first + strspn(first, "0123456789");
     last += strspn(last, " -\xE2\x80\x93");
-    last = skip_words(last, joins, 3);
+    last = words_skip_any(last, "to|and|through");
     end = last + strspn(last, "0123456789");
     if (end == last || rows - number > 80)
         return 0;
-    end = skip_words(end, done, 11);
+    end = words_skip_any(end, "have|has|are|is|been|worked|completed|complete|done|made|knitted");
     snprintf(plain, SIGNS_PLAIN, until ? "rep %.*s %d-%d %d x in all" : "work %.*s %d-%d %d x", (int)words_length(rows), rows, atoi(first), atoi(last), n);
     return strchr(".,;\r\n", *end) && strlen(plain) + 1 < SIGNS_PLAIN && strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
 }
@@ -131,15 +119,14 @@ size_t row_phrases_repeats(const char *text, size_t at, char plain[static SIGNS_
 /* The number that `(I did 44 rows.)` says, and whether of rows; 0: the brackets say more, or `open` opens none. */
 static int told_number(const char *open, bool *rows, size_t *length)
 {
-    static const char *const talk[] = {"about", "around", "approximately", "approx", "roughly", "or", "so", "that", "this", "is", "was", "will", "be", "i", "we", "you", "did", "made", "worked",
-                                       "knit", "knitted", "repeated", "had", "took", "mine", "it", "them", "for", "me", "in", "all", "total", "a", "of"},
-                             *const times[] = {"times", "repeats", "reps", "repetitions"};
-    const char *number = skip_words(open + 1, talk, sizeof talk / sizeof *talk), *unit = *open == '(' && isdigit((unsigned char)*number) ? words_behind_number(number) : NULL, *end;
+    static const char talk[] = "about|around|approximately|approx|roughly|or|so|that|this|is|was|will|be|i|we|you|did|made|worked|knit|knitted|repeated|had|took|mine|it|them|for|me|in|all|total|a|of",
+                      *const times[] = {"times", "repeats", "reps", "repetitions"};
+    const char *number = words_skip_any(open + 1, talk), *unit = *open == '(' && isdigit((unsigned char)*number) ? words_behind_number(number) : NULL, *end;
 
     *rows = unit && words_are_rows(unit);
     if (!unit || !(*rows || words_find(unit, times, 4) >= 0))
         return 0;
-    end = skip_words(words_next(unit), talk, sizeof talk / sizeof *talk);
+    end = words_skip_any(words_next(unit), talk);
     end += *end == '.';
     *length = (size_t)(end - open) + 1;
     return *end == ')' && strchr(".,;\r\n", end[1]) ? words_number(number) : 0;
@@ -184,8 +171,7 @@ static int rows_repeated(const char *text, size_t at)
 
 size_t row_phrases_last(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    static const char *const which[] = {"the", "last", "previous", "preceding", "prior", "above", "these", "those"};
-    const char *number = skip_words(text + at, which, 8), *rows = number > text + at ? words_behind_number(number) : NULL, *end;
+    const char *number = words_skip_any(text + at, "the|last|previous|preceding|prior|above|these|those"), *rows = number > text + at ? words_behind_number(number) : NULL, *end;
     int first, n;
 
     if (!rows || !words_are_rows(rows) || (at > 0 && text[at - 1] != ' '))
@@ -231,30 +217,28 @@ size_t row_phrases_named(const char *text, size_t at, char plain[static SIGNS_PL
 /* Behind `3 edge sts`, `the last 3 stitches`; NULL: another text. *n: how many. */
 static const char *behind_some(const char *text, int *n)
 {
-    static const char *const which[] = {"the", "first", "last", "next", "other", "following", "remaining", "rem"}, *const of[] = {"edge", "border", "selvedge"};
-    const char *number = skip_words(text, which, 8), *sts = words_behind_number(number);
+    const char *number = words_skip_any(text, "the|first|last|next|other|following|remaining|rem"), *sts = words_behind_number(number);
 
     *n = sts ? words_number(number) : 0;
-    sts = sts ? skip_words(sts, of, 3) : NULL;
+    sts = sts ? words_skip_any(sts, "edge|border|selvedge") : NULL;
     return sts && words_are_stitches(sts) && *n > 0 ? words_next(sts) : NULL;
 }
 
 /* Behind `seed st`, `in garter stitch`; NULL: another text. *name: that of the fabric. */
 static const char *behind_fabric(const char *text, const char **name)
 {
-    static const char *const in[] = {"in", "of", "the"}, *const fabrics[] = {"seed", "moss", "garter", "stockinette", "stocking"}, *const stitch[] = {"st", "stitch"};
+    static const char *const fabrics[] = {"seed", "moss", "garter", "stockinette", "stocking"};
     int fabric;
 
-    text = skip_words(text, in, 3);
+    text = words_skip_any(text, "in|of|the");
     fabric = words_find(text, fabrics, 5);
     *name = fabric < 0 ? NULL : fabric == 4 ? fabrics[3] : fabrics[fabric];
-    return fabric < 0 ? NULL : skip_words(words_next(text), stitch, 2);
+    return fabric < 0 ? NULL : words_skip_any(words_next(text), "st|stitch");
 }
 
 size_t row_phrases_fabric(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    static const char *const work[] = {"work", "knit", "keep", "keeping"};
-    const char *begin = skip_words(text + at, work, 4), *name, *fabric = behind_fabric(begin, &name), *end;
+    const char *begin = words_skip_any(text + at, "work|knit|keep|keeping"), *name, *fabric = behind_fabric(begin, &name), *end;
     int n;
 
     end = fabric ? behind_some(fabric, &n) : behind_some(begin, &n);
@@ -291,11 +275,11 @@ size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_
 
     if (!strchr("\n.", words_sign_before(text, at, " \t")) || !words_are_rows(text + at) || !join)
         return 0;
-    second = skip_words(join + (*join == '-' || *join == '&'), (const char *const[]){"and", "to", "through"}, 3);
+    second = words_skip_any(join + (*join == '-' || *join == '&'), "and|to|through");
     verb = second > join ? words_behind_number(second) : NULL;
     if (!verb || !(words_is(verb, "are") || words_is(verb, "is")))
         return 0;
-    verb = skip_words(words_next(verb), (const char *const[]){"to", "be", "then", "now"}, 4);
+    verb = words_skip_any(words_next(verb), "to|be|then|now");
     if (!words_one_of("repeated|worked|knitted", verb))
         return 0;
     snprintf(plain, SIGNS_PLAIN, "%s %.*s %d-%d", words_is(verb, "repeated") ? "rep" : "work", (int)words_length(text + at), text + at, words_number(first), words_number(second));
@@ -306,7 +290,7 @@ size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_
 
 size_t row_phrases_rib(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    const char *pair = skip_words(text + at, (const char *const[]){"work", "in"}, 2), *rib, *to;
+    const char *pair = words_skip_any(text + at, "work|in"), *rib, *to;
     int knit, purl;
     size_t n = ribs_pair(pair, &knit, &purl), word;
 

@@ -18,6 +18,7 @@
 #include "lang/page/prose_line.h"
 #include "lang/page/remarks.h"
 #include "lang/page/row_phrases.h"
+#include "lang/page/rows_told.h"
 #include "lang/page/sums.h"
 #include "lang/page/words.h"
 
@@ -534,6 +535,8 @@ static const struct sign {
     {"wWkK0123456789", true, .says = fabrics_rows},
     {"kKpPaAeEoOuUwWrRtT", true, .says = kinds_length},
     {"(", false, .says = kinds_length},
+    {"rRtTyYfFsS0123456789aA", true, .says = rows_told_length},
+    {",", false, .says = rows_told_length},
     {"wWcC", true, .says = row_phrases_repeats},
     {"tTfF", true, .says = row_phrases_form},
     {"wWiI", true, .says = row_phrases_rib},

@@ -264,6 +264,7 @@ const struct phrase turns_of_pages[] = {
     {"(|[ repeat|rep the? stitches|sts|directions|instructions|part between|inside|within the? *|stars|asterisks|asterisk )|]", ""},
     {"=then|now , =row|rows|rnd|rnds|round|rounds|knit|purl|work|continue|cont|repeat|rep", ""},
     {"repeated =to|until|across|from", "rep"},
+    {"@ ,? repeated =.|;", "rep"},
     {"pearl|perl knitting", "purl"},
     {"pearl|perl =#", "purl"},
     {"=# pearl|perl", "purl"},

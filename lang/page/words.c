@@ -147,6 +147,14 @@ size_t words_one_of(const char *list, const char *text)
     return 0;
 }
 
+const char *words_skip_any(const char *text, const char *list)
+{
+    text = words_skip_blanks(text);
+    for (size_t n; (n = words_one_of(list, text)) > 0;)
+        text = words_skip_blanks(text + n);
+    return text;
+}
+
 size_t words_skip_quoted(const char *text, size_t at)
 {
     bool inches = at > 0 && isdigit((unsigned char)text[at - 1]);
