@@ -124,7 +124,7 @@ bool prose_rows_follow(const char *text)
         behind = words_skip_blanks(behind + 1);
     if (behind && words_is(behind, "more"))
         behind = words_skip_blanks(behind + 4);
-    return behind && words_are_rows(behind);
+    return behind && (words_are_rows(behind) || words_one_of("ridges|ridge", behind));
 }
 
 bool prose_rows_are_named(const char *text)

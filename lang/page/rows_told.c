@@ -74,25 +74,23 @@ static const char *behind_plain(const char *text, char *stitch)
     return n && (prose_line_ends(end) || strchr(".,;", *end) || words_one_of("and the|while the", words_skip_blanks(end))) ? end : NULL;
 }
 
-/* Whether a sentence begins at a place, or a part of one behind a comma or `and`: its bytes before the rows, else -1. */
-static int lead_length(const char *text, size_t at)
+/* Where the rows are of a sentence that begins at a place, or of a part of one: `, and the second row`; NULL: nothing begins
+ * there. *part: it is such a part. */
+static const char *rows_at(const char *text, size_t at, bool *part)
 {
-    const char *rows = words_skip_any(text + at, text[at] == ',' || words_is(text + at, "and") ? ",|and|then|while|the" : "the|your|then");
+    char before = words_sign_before(text, at, " \t");
 
-    if (text[at] != ',' && !words_is(text + at, "and") && !strchr("\r\n.:", words_sign_before(text, at, " \t")))
-        return -1;
-    return (int)(rows - text) - (int)at;
+    *part = before == ',' || words_is(text + at, "and");
+    return *part || strchr("\r\n.:", before) ? words_skip_any(text + at, *part ? "and|then|while|the" : "the|your|then") : NULL;
 }
 
 size_t rows_told_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     char head[SIGNS_PLAIN], stitch;
-    int lead = lead_length(text, at);
-    bool goes_on = text[at] == ',' || words_is(text + at, "and");
-    const char *rows = text + at + (lead > 0 ? lead : 0), *verb, *behind, *end;
+    bool part;
+    const char *rows = rows_at(text, at, &part), *verb = rows ? behind_numbers(rows, head) : NULL, *behind, *end;
 
-    verb = lead < 0 ? NULL : behind_numbers(rows, head);
-    verb = verb || lead < 0 ? verb : behind_ordinals(rows, head);
+    verb = verb || !rows ? verb : behind_ordinals(rows, head);
     verb = verb ? behind_side(verb, head) : NULL;
     behind = verb ? words_skip_any(verb, "is|are|will be|should be|gets") : NULL;
     if (!behind || behind == verb)
@@ -104,6 +102,8 @@ size_t rows_told_length(const char *text, size_t at, char plain[static SIGNS_PLA
         if (!prose_stitches_follow(end) || (end == behind && words_are_rows(words_next(end))))
             return 0;
     }
-    snprintf(plain, SIGNS_PLAIN, stitch ? "%s%.20s:%c" : "%s%.20s: ", goes_on ? "\n" : "", head, stitch);
+    if (strlen(head) + 5 > SIGNS_PLAIN)
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, stitch ? "%s%.90s:%c" : "%s%.90s: ", part ? "\n" : "", head, stitch);
     return strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
 }

@@ -10,8 +10,10 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page/clauses.h"
 #include "lang/page/edges.h"
 #include "lang/page/fabrics.h"
+#include "lang/page/framing.h"
 #include "lang/page/kinds.h"
 #include "lang/page/lengths.h"
 #include "lang/page/prose.h"
@@ -536,7 +538,10 @@ static const struct sign {
     {"kKpPaAeEoOuUwWrRtT", true, .says = kinds_length},
     {"(", false, .says = kinds_length},
     {"rRtTyYfFsS0123456789aA", true, .says = rows_told_length},
-    {",", false, .says = rows_told_length},
+    {"eEfFcCbBsStTaA", true, .says = framing_length},
+    {",", false, .says = framing_length},
+    {",)!", false, .says = clauses_length},
+    {"wWoOaAtT", true, .says = clauses_length},
     {"wWcC", true, .says = row_phrases_repeats},
     {"tTfF", true, .says = row_phrases_form},
     {"wWiI", true, .says = row_phrases_rib},

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-enum { SIGNS_PLAIN = 32 };       /* bytes of the longest plain text, with its end */
+enum { SIGNS_PLAIN = 96 };       /* bytes of the longest plain text, with its end */
 
 /* How many bytes from `at` on go for `plain` and blanks: `~` for a dash, an ellipsis, a remark in
  * brackets within a row, a number in letters above twelve, the bars of a table, `[18]` behind a

@@ -28,7 +28,6 @@ const struct phrase turns_of_books[] = {
     {"=knit|purl =every|each|all =row|rows|round|rounds plain", ""},
     {", then|and =knit|purl|k|p|k.|p.|work =# =row|rows|round|rounds|rnd|rnds", "."},
     {", and then =knit|purl|k|p|k.|p.|work =# =row|rows|round|rounds|rnd|rnds", "."},
-    {",? and? then? finish|end with # plain =row|rows|round|rounds|rnd|rnds", ". knit #"},
     {"set -? up rows|row|rounds|rnds|round : =knit|k|k.|purl|p|p.|work =# =row|rows|round|rounds|rnd|rnds", ""},
 
     {"=# =ridges|ridge in|of garter|g -? st.|st|stitch", ""},
@@ -38,6 +37,7 @@ const struct phrase turns_of_books[] = {
     {"any number of sts|stitches divisible by", "multiple of"},
     {"a? number of sts|stitches divisible by", "multiple of"},
     {"stitches|sts in multiples of", "multiple of"},
+    {"=and =# over and over again?", ""},
     {",? and # over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
     {",? and # sts|stitches over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
     {"=sts . =,", ""},
