@@ -193,7 +193,7 @@ static bool is_broken(const char *line, size_t length, const char *next, size_t 
     if (needs_more(piece) && is_prose(line) && has_stitches(next, rest))
         return false;
     if (needs_more(piece) && !has_sign(piece.text, piece.length, "*[=\"") && !is_row_text(piece.text))
-        return islower((unsigned char)*next) ? !words_are_rows(next) && !has_sign(next, rest, "={}\"") : isdigit((unsigned char)*next) && !has_sign(next, rest, ":|)");
+        return islower((unsigned char)*next) ? !words_are_rows(next) && !words_is(next, "then") && !has_sign(next, rest, "={}\"") : isdigit((unsigned char)*next) && !has_sign(next, rest, ":|)");
     return (is_begun(line, piece) || (whole && !piece.behind_stop && isalpha((unsigned char)piece.text[piece.length - 1]))) && goes_on(next, rest);
 }
 
