@@ -12,7 +12,7 @@ liblang_a_SOURCES = lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c 
     lang/rows/row_again.c lang/rows/row_edges.c lang/rows/row_draw.h lang/rows/row_draw.c lang/rows/row_fit.h lang/rows/row_fit.c \
     lang/rows/row_grid.c lang/rows/row_labels.h lang/rows/row_markers.h lang/rows/row_markers.c lang/rows/row_labels.c lang/rows/row_list.h lang/rows/row_misfit.h \
     lang/rows/row_misfit.c lang/rows/row_order.c lang/rows/rows.h lang/rows/rows.c \
-    lang/page/casts.h lang/page/casts.c lang/page/clauses.h lang/page/clauses.c lang/page/explained.h lang/page/explained.c lang/page/fabrics.h lang/page/fabrics.c lang/page/framing.h lang/page/framing.c lang/page/groups.h lang/page/groups.c lang/page/headings.h lang/page/headings.c lang/page/heads.h lang/page/heads.c lang/page/joined.h lang/page/kinds.h lang/page/kinds.c lang/page/rows_told.h lang/page/rows_told.c \
+    lang/page/casts.h lang/page/casts.c lang/page/clauses.h lang/page/clauses.c lang/page/explained.h lang/page/explained.c lang/page/fabrics.h lang/page/fabrics.c lang/page/framing.h lang/page/framing.c lang/page/groups.h lang/page/groups.c lang/page/headings.h lang/page/headings.c lang/page/heads.h lang/page/heads.c lang/page/joined.h lang/page/kinds.h lang/page/kinds.c lang/page/rows_told.h lang/page/rows_told.c lang/page/rows_go_on.h lang/page/rows_go_on.c \
     lang/page/joined.c lang/page/lengths.h lang/page/lengths.c lang/page/lettered.h lang/page/lettered.c \
     lang/page/listed.h lang/page/listed.c lang/page/marks.h lang/page/marks.c lang/page/named.h lang/page/named.c \
     lang/page/page_chart.h lang/page/page_chart.c lang/rows/page_fabric.c lang/page/page_facts.h \

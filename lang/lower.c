@@ -32,6 +32,12 @@ static bool count_item(struct eval *eval, struct where where, const struct item 
     return eval_step(eval, span) && eval->items <= LIMIT_ITEMS && !diag_is_full(eval->diag, span);
 }
 
+/* `(k2, p2) repeat 3 times`, which may be worked before: the width tells; not `*k2, p2* 3 times`. */
+static bool is_bracket_repeated(struct where where, const struct item *item)
+{
+    return item->kind == ITEM_STARS && strchr("([", where.module->source->text[item->start]);
+}
+
 static bool lower_until(struct eval *eval, struct where where, const struct item *item, struct work *work)
 {
     const struct until *until = &item->more->until;
@@ -46,7 +52,7 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
         work->bare = item->kind == ITEM_GROUP;
         return true;
     case UNTIL_TIMES:
-        work->until = item->kind == ITEM_REP_FROM ? WORK_EITHER : WORK_TIMES;
+        work->until = item->kind == ITEM_REP_FROM || is_bracket_repeated(where, item) ? WORK_EITHER : WORK_TIMES;
         return true;
     case UNTIL_LAST_OR_ALL:
         work->until = n > 1 ? WORK_LAST_OR_ALL : WORK_TIMES;

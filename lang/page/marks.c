@@ -146,6 +146,23 @@ static void write_blanks(struct page *page, size_t length)
     page->to = page->at + length;
 }
 
+/* Whether a row is repeated from this character, `♦ k2, p2, rep from ♦`, on its line or the next. */
+static bool is_repeated_from(const char *text, size_t at, size_t length, unsigned code)
+{
+    size_t reach = at > WORDS_REACH ? at - WORDS_REACH : 0, from = at, lines = 0;
+
+    if (code < 0x2020 || (code >= 0x2032 && code <= 0x2044))   /* primes, fractions */
+        return false;
+    while (from > reach && !words_ends_line(text[from - 1]))
+        from--;
+    for (; text[from] && from < at + WORDS_REACH && lines < 2; from++) {
+        lines += text[from] == '\n';
+        if ((text[from] | 0x20) == 'f' && words_is(text + from, "from") && strncmp(words_next(text + from), text + at, length) == 0)
+            return true;
+    }
+    return false;
+}
+
 /* One character in braces as it is, else plainly. */
 static void write_character(struct page *page, size_t length, unsigned code, bool braces)
 {
@@ -153,6 +170,8 @@ static void write_character(struct page *page, size_t length, unsigned code, boo
     enum mark mark = braces ? MARK_NONE : mark_of(code);
     size_t n = braces ? 0 : plain_letters(code, plain);
 
+    if (!braces && is_repeated_from(page->text, page->at, length, code))
+        n = (size_t)snprintf(plain, sizeof plain, "*");
     if (mark == MARK_ARROW)
         n = plain_arrow(page->text, page->at, length, code, plain);
     if (n)

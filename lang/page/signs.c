@@ -20,6 +20,7 @@
 #include "lang/page/prose_line.h"
 #include "lang/page/remarks.h"
 #include "lang/page/row_phrases.h"
+#include "lang/page/rows_go_on.h"
 #include "lang/page/rows_told.h"
 #include "lang/page/sums.h"
 #include "lang/page/words.h"
@@ -274,7 +275,7 @@ static size_t dash_remark_length(const char *text, size_t at)
     return memchr(text + line, ':', before - line) && remarks_on_fabric(text + at + dash) ? words_line_length(text + at) : 0;
 }
 
-/* The sign between stitches of `p2/k6/p2`. */
+/* The sign between stitches of `p2/k6/p2`, `k2-p2`. */
 static bool is_between_stitches(const char *text, size_t at)
 {
     size_t before = at;
@@ -532,6 +533,7 @@ static const struct sign {
     {"(", false, .says = row_phrases_star},
     {"aA", true, .says = row_phrases_alternate},
     {"kKpP", true, .says = row_phrases_sided},
+    {":)-.", false, .says = rows_go_on_length},
     {"sSgG", true, .says = fabrics_short},
     {"rR", true, .says = fabrics_rib},
     {"wWkK0123456789", true, .says = fabrics_rows},
@@ -568,6 +570,7 @@ static const struct sign {
     {"~", false, .is = is_tilde, 1, "-"},
     {"[", false, .says = counted_length},
     {"/", false, .is = is_between, 1, ","},
+    {"-", false, .is = is_between_stitches, 1, ","},
     {"-\xE2", false, .skips = dash_remark_length},
     {"rR", true, .says = glued_length},
     {"rR", false, .is = is_second_row, 1, ""},

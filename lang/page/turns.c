@@ -256,6 +256,7 @@ const struct phrase turns_of_pages[] = {
     {"over and over again?", ""},
     {"keep|continue|cont|repeat|rep? alternating|alternate between? the|these? two|2? =rows|rounds|rnds =#", "repeat"},
     {"@ ,? repeated =.|;", "rep"},
+    {"=: work =$|*", ""},
     {"pearl|perl knitting", "purl"},
     {"pearl|perl =#", "purl"},
     {"=# pearl|perl", "purl"},
