@@ -408,12 +408,22 @@ static bool is_alone(const char *text, size_t open, size_t number, size_t end)
     return text[open] == '(' && number == open + 1 && text[end + (words_are_stitches(text + end) ? words_length(text + end) : 0)] == ')';
 }
 
+/* From the bracket of `(4 + 2 = 6 sts)` up to its sign; 0: it has none. */
+static size_t sum_length(const char *text)
+{
+    size_t sum = strspn(text + 1, "0123456789 +x*") + 1, words = 0;
+
+    while (*text == '(' && isalpha((unsigned char)text[sum]) && words++ < 4)
+        sum += words_length(text + sum), sum += strspn(text + sum, " 0123456789+");
+    return *text == '(' && text[sum] == '=' ? sum : 0;
+}
+
 size_t heads_example(const char *text, size_t *number)
 {
     static const char *const named[] = {"i", "we", "sample", "shown", "example", "mine", "used", "eg", "e", "such", "photo", "model", "pictured", "ex", "say",
                                          "approx", "approximately", "about", "around", "roughly"},
                              *const multiple[] = {"multiple", "multiples", "even", "odd", "any", "number"}, *const once[] = {"sts", "st", "stitches"},
-                             *const did[] = {"did", "used", "have", "had", "on"};
+                             *const did[] = {"did", "used", "uses", "have", "had", "has", "on"};
     size_t line = words_line_within(text, WORDS_REACH), at = 0, from = 0, word = 0, n;
     bool of = false, said = false;
 
@@ -421,11 +431,15 @@ size_t heads_example(const char *text, size_t *number)
     for (*number = 0; at < line && !(said && *number && strchr(").", text[at])); at += n ? n : 1) {
         n = words_length(text + at);
         of = of || (n && words_find(text + at, multiple, 6) >= 0);
-        from = of && (strncmp(text + at, ". ", 2) == 0 ? !said : !from && strchr("(,-\xE2", text[at])) ? at : from;
+        from = of && (strncmp(text + at, ". ", 2) == 0 ? !said : !from && strchr("(,;-\xE2", text[at])) ? at : from;
+        if (from == at && sum_length(text + at)) {
+            at += sum_length(text + at);
+            said = true;
+        }
         said |= from && n && words_find(text + at, named, sizeof named / sizeof *named) >= 0;
         word = n ? at : word;
         if (from && !n && isdigit((unsigned char)text[at])) {
-            if (*number || (text[from] == '.' && words_find(text + word, did, 5) < 0))
+            if (*number || (text[from] == '.' && words_find(text + word, did, sizeof did / sizeof *did) < 0))
                 return 0;
             *number = words_is(text + word, "plus") && word > from ? 0 : at;
             n = strspn(text + at, "0123456789");

@@ -25,7 +25,7 @@ bool prose_tells_how(const char *text)
     static const char *const how[] = {"using", "with", "via", "by"}, *const count[] = {"st", "sts", "stitch", "stitches", "multiple", "multiples", "number", "as", "for"};
     size_t line = words_line_within(text, WORDS_REACH);
 
-    if (tells_no_number(words_skip_blanks(text)) || (prose_line_ends(text) && words_line_has(prose_line_next(text), "cast")))
+    if (tells_no_number(words_skip_blanks(text)) || (prose_line_ends(text) && (words_line_has(prose_line_next(text), "cast") || prose_begins_cast_on(prose_line_next(text)))))
         return true;
     if (words_find(words_skip_blanks(text), how, sizeof how / sizeof *how) < 0)
         return false;

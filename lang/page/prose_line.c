@@ -88,14 +88,20 @@ static bool no_loop(const char *text)
 {
     const char *dots = strpbrk(text, "\r\n.");
 
-    while (dots && *dots == '.' && dots[1] != '.')
-        dots = strpbrk(dots + 1, "\r\n.");
+    while (dots && *dots == '.' && (dots[1] != '.' || dots[2] == '.'))
+        dots = strpbrk(dots + 1 + strspn(dots + 1, "."), "\r\n.");
     return !opens_block(text) && !line_has(text, "[]=") && !(dots && *dots == '.');
 }
 
 static bool no_file(const char *text)
 {
     return *text != '"' && *text != '\xE2' && !words_line_has(text, "from") && !words_line_has(text, "std");
+}
+
+/* "Output may vary": no file's name. */
+static bool no_output(const char *text)
+{
+    return words_length(words_next(text)) > 0 && !line_has(text, "\"{=.");
 }
 
 /* "Let me know how it goes", "Let dry (overnight)", "Let's begin": more words, and no value. */
@@ -128,7 +134,7 @@ bool prose_is_keyword(const char *text)
     } words[] = {{"knit", no_version}, {"gauge", no_block}, {"material", no_block},  {"springs", no_block},
                  {"mesh", no_block},   {"solve", no_block}, {"stitch", no_body},     {"chart", no_body},
                  {"if", no_body},      {"for", no_loop},    {"swatch", no_fabric}, {"motif", is_labelled},
-                 {"use", no_file},      {"let", no_value}};
+                 {"use", no_file},      {"let", no_value}, {"output", no_output}};
     const char *behind = words_next(text);
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)

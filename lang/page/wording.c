@@ -416,6 +416,29 @@ static bool begins_word(const struct wording *w, size_t at)
     return at == 0 || !isalnum((unsigned char)w->text[at - 1]);
 }
 
+/* Whether stitches are cast on behind a place. */
+static bool casts_on_later(const struct wording *w, size_t at)
+{
+    for (; at < w->size; at++)
+        if ((w->text[at] | 0x20) == 'c' && begins_word(w, at) && prose_begins_cast_on(w->text + at))
+            return true;
+    return false;
+}
+
+/* Puts a cast-on for `Multiple of 4 (I used 24)`, `An odd number of sts - I used 25`, where the page has no other. */
+static void put_used(struct wording *w, size_t at)
+{
+    size_t number, length = words_one_of("multiple of|multiples of|even number|odd number|uneven number", w->text + at) ? heads_example(w->text + at, &number) : 0;
+    size_t digits = length ? strspn(w->text + at + number, "0123456789") : 0;
+
+    if (!length || w->cast_on || casts_on_later(w, at))
+        return;
+    memset(own_text(w) + at, ' ', number);
+    memcpy(own_text(w) + at, "co", 2);
+    memset(own_text(w) + at + number + digits, ' ', length - number - digits);
+    w->cast_on = true;
+}
+
 /* `Middle:`, `Second half:`, and no more on the line. */
 static bool is_part_name(const char *line)
 {
@@ -517,6 +540,8 @@ static void put_word(struct wording *w, size_t at)
         put_multiple(w, at);
         put_example(w, at);
     }
+    if (c && strchr("meou", c))
+        put_used(w, at);
     if ((c == 'r' || c == 'w') && words_one_of("repeat|rep|work", w->text + at))
         put_labelled(w, at);
     if (c == 'r' && named_sign(w->text + at))
