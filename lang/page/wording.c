@@ -156,6 +156,15 @@ static char *own_text(struct wording *w)
     return (char *)w->text;
 }
 
+/* Whether a row begins on a line that the words of a phrase reach: `k3, p3 repeat` and below it `Row 2 K`. */
+static bool reaches_row(const char *text, const struct found *found)
+{
+    for (int i = 1; i < found->n; i++)
+        if (memchr(text + found->end[i - 1], '\n', found->start[i] - found->end[i - 1]) && words_row(text + found->start[i]) && prose_pattern_follows(text + found->start[i]))
+            return true;
+    return false;
+}
+
 /* Puts the phrase of a table that begins here plainly. */
 static void put_phrase(struct wording *w, struct phrases *phrases, const struct phrase *table, size_t at)
 {
@@ -167,7 +176,7 @@ static void put_phrase(struct wording *w, struct phrases *phrases, const struct 
         if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)) || (strchr(">!", mark) && !begins_sentence(w->text, at)) ||
             (breaks(w->text, &found) && (strchr("<>", mark) || w->text[found.end[found.n - 1]] == ':')) || (mark == '>' && !work_follows(w->text + found.end[found.n - 1])))
             continue;
-        if (changes(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
+        if (changes(w->text, &found) && !reaches_row(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
             return;
     }
 }
@@ -553,7 +562,7 @@ static void put_yarn(struct wording *w, size_t at)
 {
     size_t length = 0;
 
-    if (w->text[at] == '(' || w->text[at] == ',' || (w->text[at] && strchr("wWuUcCsSjJaAiI", w->text[at]) && begins_word(w, at)))
+    if (w->text[at] == '(' || w->text[at] == ',' || (w->text[at] && strchr("wWuUcCsSjJaAiIBDEFM", w->text[at]) && begins_word(w, at)))
         length = yarns_length(w->text, at, begins_sentence(w->text, at));
     if (length)
         put_blanks(w, at, length, "");

@@ -3,6 +3,7 @@
 #include "lang/page/yarns.h"
 
 #include <ctype.h>
+#include <string.h>
 
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
@@ -84,7 +85,7 @@ static bool row_follows(const char *text)
 
     while (words_find(at, all, 7) >= 0)
         at = words_next(at);
-    return words_are(text, WORDS_PLAIN) && !isdigit((unsigned char)text[words_length(text)]) && prose_line_ends(at);
+    return words_are(text, WORDS_PLAIN) && !isdigit((unsigned char)text[words_length(text)]) && (prose_line_ends(at) || strchr(".;", *at));
 }
 
 /* ---- places ---- */
@@ -158,11 +159,22 @@ static size_t in_head(const char *text, size_t at)
     return isdigit((unsigned char)words_sign_before(text, at, " ")) ? end + 1 - at : 0;
 }
 
+/* The `B:` of `Row 4: B: purl`, the `color A:` of `Row 1 - color A: knit`. */
+static size_t before_colon(const char *text)
+{
+    bool plain;
+    size_t n = colour_length(text, &plain), end = n + strspn(text + n, " ");
+
+    return n && text[end] == ':' && prose_stitches_follow(words_skip_blanks(text + end + 1)) ? end + 1 : 0;
+}
+
 size_t yarns_length(const char *text, size_t at, bool begins)
 {
     bool row = words_sign_before(text, at, " ") == ':';
 
     if (text[at] == '(' || text[at] == ',')
         return in_head(text, at);
+    if ((row || words_sign_before(text, at, " ") == '-') && before_colon(text + at))
+        return before_colon(text + at);
     return begins || row ? before_rows(text + at, row && !begins) : behind_rows(text, at);
 }
