@@ -107,22 +107,35 @@ static void end_on_side(const struct stmt *stmt, const struct again *again, stru
     rows_again(body->rows, stmt->span, next, 1, 0);
 }
 
+/* The whole repeats nearest to n rows, or the rows up to one of those that end it; the later, where two are as near. */
+static long long rows_nearest(struct body *body, const struct again *again, struct row_texts texts, long long n)
+{
+    long long after = rows_to_stop(body, again, texts, n), before = 0, next;
+
+    if (!after)
+        return (n + texts.n / 2) / texts.n * texts.n;
+    for (long long from = n > texts.n ? n - texts.n : 1; (next = rows_to_stop(body, again, texts, from)) < after; from = next + 1)
+        before = next;
+    return before && n - before < after - n ? before : after;
+}
+
 /* Rows up to a length of n: whole repeats, the last up to the row that ends it; row by row, where the pattern goes on so
  * or the length ends on a side. */
 static long long rows_to_length(const struct again *again, struct body *body, struct row_texts texts, long long n)
 {
-    long long part = last_part(body, again, texts), stop;
+    long long part = last_part(body, again, texts), nearest;
+    bool among = rows_just_worked(body->rows, texts);
 
     if (again->kind == AGAIN_LENGTH)
         n -= rows_count(body->rows);
-    else if (again->which != AGAIN_GO_ON && rows_just_worked(body->rows, texts))
+    else if (again->which != AGAIN_GO_ON && among)
         n -= texts.n;
     if (n <= part)
         return part;
-    stop = rows_to_stop(body, again, texts, n);
-    if (stop)
-        return stop;
-    return again->which == AGAIN_GO_ON || again->stop < 0 ? n : (n + texts.n - 1) / texts.n * texts.n;
+    if (again->stop < 0 || (again->which == AGAIN_GO_ON && !rows_to_stop(body, again, texts, n)))
+        return n;
+    nearest = rows_nearest(body, again, texts, n);
+    return nearest || among ? nearest : texts.n;
 }
 
 /* The pattern whose name is mentioned; false, with a message, where it cannot be told. */

@@ -375,7 +375,7 @@ void scanner_measure(struct scanner *scanner, KNIT_STYPE *value, struct span spa
 {
     double length = lengths_wanted(phrase, &value->measure.part), rows;
 
-    rows = ceil(length * scanner->parse->facts.gauge - 1e-6);
+    rows = floor(length * scanner->parse->facts.gauge + 0.5);
     value->measure.rows = rows > 0 && rows <= LIMIT_ROWS ? (int)rows : 0;
     value->measure.ending = lengths_ending(phrase, &value->measure.other);
     value->measure.counted = value->measure.rows == 0 && lengths_counted(phrase);
@@ -385,7 +385,7 @@ void scanner_measure(struct scanner *scanner, KNIT_STYPE *value, struct span spa
         return;
     diag_warning(scanner->parse->diag, CODE_LENGTH, span, "by the gauge this text states, this length is %d row%s", value->measure.rows,
                  value->measure.rows == 1 ? "" : "s");
-    diag_hint(scanner->parse->diag, "whole repeats are worked until it is reached; `until piece has %d rows` says it", value->measure.rows);
+    diag_hint(scanner->parse->diag, "the nearest number of whole repeats is worked; `until piece has %d rows` says it", value->measure.rows);
 }
 
 /* The bytes of the word or the number that a text begins with, or of one mark. */

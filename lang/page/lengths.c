@@ -112,15 +112,18 @@ static double find_length(const char *first, const char *end, bool last)
     return found;
 }
 
-/* "per inch", "to the inch". */
+/* "per inch", "to the inch", "rows/inch". */
 static double one_unit(const char *first, const char *end)
 {
     static const char *const one[] = {"per", "the", "an", "each", "one"};
     double millimetres;
 
-    for (const char *at = first; at < end; at += words_length(at) + 1)
-        if (words_find(at, one, sizeof one / sizeof *one) >= 0 && unit_at(words_next(at), &millimetres) && millimetres >= SHORTEST)
+    for (const char *at = first; at < end; at += words_length(at) + 1) {
+        bool stroke = at[words_length(at)] == '/';
+
+        if ((stroke || words_find(at, one, sizeof one / sizeof *one) >= 0) && unit_at(stroke ? at + words_length(at) + 1 : words_next(at), &millimetres) && millimetres >= SHORTEST)
             return millimetres;
+    }
     return 0;
 }
 
@@ -172,6 +175,25 @@ static double gauge_within(const char *text, const char *end, const char **place
     return 0;
 }
 
+/* `18 stitches x 22 rows = 4"`, `20 sts and 28 rows to 10 cm`: a gauge that is not called one. */
+static bool is_gauge(const char *text, const char *first)
+{
+    double n;
+    const char *sts = begins_number(text, first) ? number_at(text, &n) : NULL, *rows, *place;
+
+    sts = sts ? words_skip_blanks(sts) : NULL;
+    if (!sts || !words_are_stitches(sts))
+        return false;
+    rows = number_at(words_skip_any(sts + words_length(sts), "x|\xC3\x97|by|and|&|+|,|/"), &n);
+    rows = rows ? words_skip_blanks(rows) : NULL;
+    if (!rows || !words_are_rows(rows))
+        return false;
+    for (const char *at = rows + words_length(rows); at < line_end(rows); at++)
+        if (*at == '=' || words_one_of("per|to the", at) || (words_is(at, "to") && isdigit((unsigned char)*words_next(at))))
+            return gauge_within(text, line_end(text), &place) > 0;
+    return false;
+}
+
 double lengths_gauge(const char *text, size_t *from, size_t *to)
 {
     static const char *const word[] = {"gauge", "tension"};
@@ -180,10 +202,14 @@ double lengths_gauge(const char *text, size_t *from, size_t *to)
 
     while (*text && gauge == 0) {
         size_t length = words_length(text);
-        bool here = words_find(text, word, sizeof word / sizeof *word) >= 0;
+        bool named = words_find(text, word, sizeof word / sizeof *word) >= 0, here = named || (isdigit((unsigned char)*text) && is_gauge(text, first));
 
         if (here)
             *from = (size_t)(text - first);
+        if (here && !named) {
+            gauge = gauge_within(text, line_end(text), &place);
+            break;
+        }
         text += length ? length : 1;
         if (here) {
             text += strspn(text, " \t:*_.\r\n");
