@@ -193,6 +193,7 @@ struct again {
     bool                assumed;        /* "work rows 1-4 twice": in all, where they were worked just before */
     bool                more;           /* "3 more times", never in all */
     bool                worked;         /* until so many rows "have been worked": since when? */
+    bool                numbered;       /* "until row 12": up to the row of this number */
     bool                onwards;        /* "from row 3": and all behind it */
     unsigned            from;           /* where the rows begin whose name is mentioned; 0: none is */
     bool                several;        /* names are mentioned */

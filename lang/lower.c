@@ -87,6 +87,32 @@ static bool lower_until(struct eval *eval, struct where where, const struct item
     }
 }
 
+/* The letters of `kkpp`, stitches that are spelled out; 0: the word is another. */
+static size_t spelled_length(const struct stitch_words *words)
+{
+    size_t n = 0;
+
+    while (n < words->length && strchr("kKpP", words->name[n]))
+        n++;
+    return n == words->length && (n > 2 || (n == 2 && words->name[0] == words->name[1])) && !words->count && !words->figures.source ? n : 0;
+}
+
+/* Adds the stitches of `kkpp` to the runs, one by one. */
+static bool lower_spelled(struct eval *eval, struct where where, const struct item *item, const struct stitch_words *words, struct work *work)
+{
+    long long none;
+
+    for (size_t i = 0; i < words->length; i++) {
+        struct run *run = work->run + work->nruns++;
+
+        run->length = 1;
+        work->length++;
+        if (!vocabulary_stitch(eval, where.module, words->name + i, 1, item->start, &run->stitch, &none))
+            return false;
+    }
+    return true;
+}
+
 /* Adds `k2` or `k 2` to the runs, unless it is none: `k0`. *bare: no number is said. */
 static bool lower_stitch(struct eval *eval, struct where where, const struct item *item, struct work *work, bool *bare)
 {
@@ -95,6 +121,9 @@ static bool lower_stitch(struct eval *eval, struct where where, const struct ite
     bool apart = words.count || words.figures.source;
     long long in_name, count = 1;
 
+    *bare = false;
+    if (spelled_length(&words) && !vocabulary_has(eval, where.module, words.name, words.length))
+        return lower_spelled(eval, where, item, &words, work);
     if (!vocabulary_stitch(eval, where.module, words.name, words.length, item->start, &run->stitch, &in_name))
         return false;
     if (apart && in_name >= 0) {
@@ -127,8 +156,11 @@ static int count_stitches(const struct source *source, const struct item *item)
 {
     int n = 0;
 
-    for (struct item one = {0}; item_step(source, item, &one);)
-        n++;
+    for (struct item one = {0}; item_step(source, item, &one);) {
+        struct stitch_words words = item_words(source, &one);
+
+        n += spelled_length(&words) ? (int)words.length : 1;
+    }
     return n;
 }
 
@@ -161,7 +193,7 @@ static bool lower_plain(struct eval *eval, struct where where, const struct item
 /* False after an error; *to is left NULL for nothing at all: `k0`, `(p0) twice`. */
 static bool lower_item(struct eval *eval, struct where where, const struct item *item, bool alone, struct work **to)
 {
-    struct work *work = work_new(eval, where, item, item->kind == ITEM_STITCH);
+    struct work *work = work_new(eval, where, item, item->kind == ITEM_STITCH ? (int)strlen(item->more->name) : 0);
     bool bare;
 
     if (!count_item(eval, where, item) || !lower_until(eval, where, item, work))

@@ -181,6 +181,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token REPEAT_LAST      "'repeat the last'"
 %token FOR_PATTERN      "'for pattern'"
 %token UNTIL_ROWS       "'until the piece has'"
+%token UNTIL_ROW        "'until row'"
 %token <measure> WORK_LENGTH  "'work 2 inches in'"
 %token <measure> UNTIL_LENGTH     "'until the piece measures'"
 %token <number> ENDING_ROW      "'ending with row'"
@@ -627,6 +628,7 @@ again_counted:
 | TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0), .more = true}; }
 | UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
 | UNTIL_ROWS count ROW_WORD TOTAL       { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
+| UNTIL_ROW count                       { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .numbered = true, .n = $count}; }
 | UNTIL_LENGTH                          { $$ = syntax_again_until(parse, @$, $1); }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
 | CROSS count MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }

@@ -220,6 +220,13 @@ static bool find_counted(const struct eval *eval, const struct module *module, c
     return true;
 }
 
+bool vocabulary_has(const struct eval *eval, const struct module *module, const char *word, size_t length)
+{
+    stitch_id id;
+
+    return find_own(eval, module, word, length, &id);
+}
+
 /* The place where a word is kept once it is known. */
 static struct known_word *known_at(struct eval *eval, const char *word, size_t length)
 {

@@ -54,7 +54,7 @@ static bool has_own_words(const struct token *first, const struct token *end, co
             return true;
     if (row && row->item && is_unmarked(row))
         return true;
-    if ((row && (row->setup || (row->numbers && row->starting))) || (stmt->kind == STMT_AGAIN && (stmt->again.from || stmt->again.onwards || stmt->again.ending)))
+    if ((row && (row->setup || (row->numbers && row->starting))) || (stmt->kind == STMT_AGAIN && (stmt->again.from || stmt->again.onwards || stmt->again.numbered || stmt->again.ending)))
         return true;
     return row && row->reference && (row->times || row->reference->next || row->reference->last || row->reference->all);
 }

@@ -10,6 +10,7 @@ const struct phrase turns_of_pages[] = {
     {"=before =the =marker remain|remains|left", ""},
     {"=# =st|sts|stitch|stitches remain|remains|left =before =marker", ""},
     {"=# =st|sts|stitch|stitches remain|remains|left =before =the =marker", ""},
+    {"=rows|rounds|rnds =# =-|to|and|& =# up? to|through =row|round|rnd =#", "until"},
     /* ridges, and rows counted from the beginning */
     {"knit|k each|every|all? row|rows|st|sts|stitch|stitches? until|till you|there|i? can? have|has|are|is|count|see # garter? ridges|ridge on? each|both|the? right? side|sides?", "work # ridges"},
     {"work|cont|continue|proceed in garter|g st|stitch? until|till|for you|there|i? can? have|has|are|is|count|see? # garter? ridges|ridge on? each|both|the? right? side|sides?", "work # ridges"},
@@ -25,6 +26,7 @@ const struct phrase turns_of_pages[] = {
 
     /* `Carry on`, as the British do */
     {"! carry|keep|go on|going repeating|rep =rows|rounds|rnds|row|these|this|the|last", "repeat"},
+    {"! continue|cont|keep|go|carry on|going|working? like|in|as this|that|the|established|set|pattern|patt? way|manner|fashion|pattern? =until|till =row|round|rnd =#", "rep them"},
     {"! carry|keep|go on|going like|in this|that way? =until|till|for", "work in patt"},
     {"! do|work|knit # more|further rows|rounds|rnds like|in this|the|that same? way|manner?", "work # rows in patt"},
     {"! carry|keep on|going =until|till|for|in|as", "continue"},
@@ -467,6 +469,8 @@ const struct phrase turns_of_pages[] = {
     {"! finally|lastly|last ,? =knit|purl|k|p|work|rep|repeat|bind|cast", ""},
     {"! work|do|complete|knit the|this|these|that? #? -? row|round|rnd? pattern|patt|pat stitch|st|repeat|sequence? above? =#|once|twice|thrice|a", "work pattern"},
     {"! work|do|complete|knit the|this? pattern|patt|pat stitch|st? a total of =# =times|x", "work pattern"},
+    {"until|till|through|to you? have|reach|get|are|to|'ve? worked|completed|finished|knitted|reached|done|to|at? the end of =row|round|rnd =# is|are|has|have? been? complete|completed|worked|done|finished|reached?", "until"},
+    {"until|till you? have|reach|get|are|'ve? worked|completed|finished|knitted|reached|done|to|at|through? =row|round|rnd =# is|are|has|have? been? complete|completed|worked|done|finished|reached?", "until"},
     {"! keep|continue? work|do|knit|working|knitting the|this? #? -? row|round|rnd? pattern|patt|pat stitch|st|repeat|sequence? above? =until|till|for", "work in patt"},
     {"=cast -? =on edge|row : =#", ""},
     {"=even|odd|uneven amount =of =sts|stitches", "number"},
