@@ -27,6 +27,16 @@ static bool is_work(const char *text)
     return is_bind_off(text);
 }
 
+/* `2 rows seed stitch`, `garter st for 2 rows`: rows of a fabric, which follow others. */
+static bool is_rows_of_fabric(const char *text)
+{
+    const char *rows = prose_rows_follow(text) ? words_behind_number(text) : NULL, *fabric = words_skip_any(text, "garter|seed|moss|stockinette|stocking|reverse|rev|g|st|stitch");
+
+    if (rows)
+        return prose_fabric_follows(words_skip_any(rows + words_length(rows), "of|in"));
+    return fabric > text && words_is(fabric, "for") && prose_rows_follow(words_next(fabric));
+}
+
 /* Where the sentence, or the line, of a place begins. */
 static size_t sentence_start(const char *text, size_t at)
 {
@@ -81,6 +91,10 @@ size_t clauses_length(const char *text, size_t at, char plain[static SIGNS_PLAIN
     bool word = isalpha((unsigned char)text[at]);
     const char *next = words_skip_any(text + at + !word, "and|then|now");
 
+    if ((word || text[at] == ',') && is_rows_of_fabric(next) && sentence_has(text, at, "rows|row|rounds|rnds|ridges")) {
+        strcpy(plain, ";");
+        return next > text + at ? (size_t)(next - text) - at : 0;
+    }
     if (word && next > text + at) {
         strcpy(plain, ";");
         return is_work(next) && says_length(text, at) ? (size_t)(next - text) - at : 0;

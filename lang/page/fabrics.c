@@ -85,6 +85,74 @@ size_t fabrics_rows(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     return strlen(plain) <= n ? n : 0;
 }
 
+/* Behind `knit 1 row`, `1 row knit`; NULL: another text. */
+static const char *behind_one_row(const char *text, char *stitch)
+{
+    const char *verb = words_skip_any(text, "1|one|a|row|rows|alternate|alternating|alternately"), *end;
+    size_t n = words_one_of("knit|k|purl|p", verb);
+
+    if (!n)
+        return NULL;
+    *stitch = (char)tolower((unsigned char)*verb);
+    end = words_skip_any(verb + n, "1|one|a|row|rows");
+    return end;
+}
+
+size_t fabrics_alternate(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    bool open = text[at] == '[' || text[at] == '(' || text[at] == '*', named = false, more, all;
+    char first, second;
+    const char *behind = strchr("\r\n.;", words_sign_before(text, at, " \t")) ? behind_one_row(text + at + open, &first) : NULL, *number;
+    int n;
+
+    behind = behind ? behind_one_row(words_skip_any(behind, ",|and|then|."), &second) : NULL;
+    if (!behind || first == second)
+        return 0;
+    for (const char *word = text + at; word < behind; word += words_length(word) + 1)
+        named |= words_are_rows(word);
+    number = words_skip_any(behind, ",|.|;|)|]|*");
+    all = open || words_are(number, WORDS_AGAIN);       /* else `purl 1 row, 3 times` may be meant */
+    number = words_skip_any(number, "repeat|rep|repeating|alternately|for|a|total|of");
+    n = words_behind_number(number) ? words_number(number) : 0;
+    if (!named || n < 1 || n > 999 || number == behind)
+        return 0;
+    number = words_behind_number(number);
+    more = words_is(number, "more");
+    number = more ? words_next(number) : number;
+    if (all && (words_is(number, "times") || words_is(number, "x")))
+        n = 2 * (n + (more || words_is(words_next(number), "more")));
+    else if (!words_are_rows(number))
+        return 0;
+    number += words_length(number);
+    number = words_is(words_skip_blanks(number), "more") ? words_skip_blanks(number) + 4 : number;
+    snprintf(plain, SIGNS_PLAIN, "st st %d rows beg on %c row", n, first);
+    return strlen(plain) <= (size_t)(number - text) - at ? (size_t)(number - text) - at : 0;
+}
+
+size_t fabrics_changed(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    const char *verb = text + at, *fabric, *behind, *work, *rows;
+    size_t n = words_one_of("change|changing|switch|begin|start|proceed", verb);
+
+    if (!n || !strchr("\r\n.;:", words_sign_before(text, at, " \t")))
+        return 0;
+    fabric = words_skip_any(verb + n, "to|with|in|working|work|knitting|the");
+    behind = words_skip_any(fabric, "garter|seed|moss|stockinette|stocking|st|stitch");
+    if (behind == fabric)
+        return 0;
+    work = words_skip_any(behind, ".|:|,|;|and|then|now");
+    rows = words_skip_any(work, "work|knit|continue|for");
+    if (work == behind || rows == work || !prose_rows_follow(rows))
+        return 0;
+    for (n = (size_t)(behind - fabric); n > 0 && fabric[n - 1] == ' ';)
+        n--;
+    n -= n > 6 && strncasecmp(fabric + n - 6, "stitch", 6) == 0 ? 4 : 0;
+    if (n > 30)
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, "%.*s for", (int)n, fabric);
+    return strlen(plain) < (size_t)(rows - text) - at ? (size_t)(rows - text) - at - 1 : 0;
+}
+
 size_t fabrics_repeated(const char *text, size_t *length)
 {
     size_t line = words_line_length(text), n = 0;
