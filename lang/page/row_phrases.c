@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "lang/page/lengths.h"
 #include "lang/page/prose.h"
@@ -286,6 +287,28 @@ size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_
     verb += words_length(verb);
     return (words_behind_number(words_skip_blanks(verb)) || words_one_of("twice|once|until|till|for", words_skip_blanks(verb))) && strlen(plain) <= (size_t)(verb - text) - at
                ? (size_t)(verb - text) - at : 0;
+}
+
+size_t row_phrases_formed(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    const char *name = words_is(text + at, "in") ? words_skip_any(words_next(text + at), "the") : text, *end = name;
+    size_t length = 0, reach = at > WORDS_LINE ? at - WORDS_LINE : 0;
+
+    for (int words = 0; words < 4 && words_length(end) && *end != '\n' && !words_one_of("pattern|patt|pat", end); words++) {
+        length = (size_t)(end - name) + words_length(end);
+        end = words_skip_blanks(end + words_length(end));
+    }
+    if (!length || !words_one_of("pattern|patt|pat", end))
+        return 0;
+    for (size_t i = reach; i < at; i++) {
+        const char *formed = words_one_of("form|forms", text + i) ? words_skip_any(text + i, "form|forms|the|a") : NULL;
+
+        if (!formed || strncasecmp(formed, name, length) != 0)
+            continue;
+        strcpy(plain, "in patt");
+        return (size_t)(end - text) - at + words_length(end);
+    }
+    return 0;
 }
 
 size_t row_phrases_rib(const char *text, size_t at, char plain[static SIGNS_PLAIN])

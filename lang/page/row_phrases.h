@@ -34,6 +34,9 @@ size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_
 /* `Repeat Rib Round` behind the line `Rib Round: ..`: `rep last Round`. */
 size_t row_phrases_named(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
+/* `in Box St Pat`, where rows above `form Box St Pattern`: `in patt`. */
+size_t row_phrases_formed(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
 /* `work in k1, p1 rib` before `to last 2 sts` or a marker: `(k1, p1)`. */
 size_t row_phrases_rib(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 

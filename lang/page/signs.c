@@ -549,6 +549,7 @@ static const struct sign {
     {"wWoOaAtT", true, .says = clauses_length},
     {"wWcC", true, .says = row_phrases_repeats},
     {"tTfF", true, .says = row_phrases_form},
+    {"iI", true, .says = row_phrases_formed},
     {"wWiI", true, .says = row_phrases_rib},
     {"rR", true, .says = row_phrases_passive},
     {"uUtT", true, .says = row_phrases_told},

@@ -38,7 +38,7 @@ const struct phrase turns_of_books[] = {
     {"a? number of sts|stitches divisible by", "multiple of"},
     {"stitches|sts in multiples of", "multiple of"},
     {"=and =# over and over again?", ""},
-    {"=rows|rounds|rnds ( # sts|stitches each|per? row|rnd|round? )", ""},
+    {"=# =rows|rounds|rnds ( # sts|stitches each|per? row|rnd|round? )", ""},
     {",? and # over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
     {",? and # sts|stitches over|extra|additional for? the? edge|edges|end|ends|sides?", "+ #"},
     {"=sts . =,", ""},
