@@ -292,7 +292,7 @@ size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_
 size_t row_phrases_formed(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     const char *name = words_is(text + at, "in") ? words_skip_any(words_next(text + at), "the") : text, *end = name;
-    size_t length = 0, reach = at > WORDS_LINE ? at - WORDS_LINE : 0;
+    size_t length = 0, reach = at > WORDS_REACH ? at - WORDS_REACH : 0;
 
     for (int words = 0; words < 4 && words_length(end) && *end != '\n' && !words_one_of("pattern|patt|pat", end); words++) {
         length = (size_t)(end - name) + words_length(end);
@@ -301,7 +301,7 @@ size_t row_phrases_formed(const char *text, size_t at, char plain[static SIGNS_P
     if (!length || !words_one_of("pattern|patt|pat", end))
         return 0;
     for (size_t i = reach; i < at; i++) {
-        const char *formed = words_one_of("form|forms", text + i) ? words_skip_any(text + i, "form|forms|the|a") : NULL;
+        const char *formed = (text[i] | 0x20) == 'f' && words_one_of("form|forms", text + i) ? words_skip_any(text + i, "form|forms|the|a") : NULL;
 
         if (!formed || strncasecmp(formed, name, length) != 0)
             continue;

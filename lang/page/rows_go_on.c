@@ -36,7 +36,7 @@ static const char *behind_stitches(const char *text, struct stitches *stitches)
     const char *at = text;
     int n;
 
-    for (size_t length; (length = run_length(at, &n)) > 0 && stitches->n + n <= MOST; at = words_skip_any(at, "stitches|stitch|sts|st|,|and|then")) {
+    for (size_t length; (length = run_length(at, &n)) > 0 && n <= MOST - stitches->n; at = words_skip_any(at, "stitches|stitch|sts|st|,|and|then")) {
         memset(stitches->stitch + stitches->n, tolower((unsigned char)*at), (size_t)n);
         memset(stitches->end + stitches->n, 0, (size_t)n * sizeof *stitches->end);
         stitches->n += n;

@@ -26,8 +26,8 @@ static const char *behind_ordinals(const char *text, char plain[static SIGNS_PLA
     int used = 0;
     size_t n;
 
-    for (int number; (number = nth(text, &n)) > 0 && used + 8 < SIGNS_PLAIN; text = words_skip_any(text + n, joins))
-        used += snprintf(numbers + used, sizeof numbers - (size_t)used, used ? ",%d" : "%d", number % 1000);
+    for (int number; (number = nth(text, &n)) > 0 && number < 10000 && used + 8 < SIGNS_PLAIN; text = words_skip_any(text + n, joins))
+        used += snprintf(numbers + used, sizeof numbers - (size_t)used, used ? ",%d" : "%d", number);
     if (!used || !words_are_rows(text))
         return NULL;
     snprintf(plain, SIGNS_PLAIN, "row %s", numbers);

@@ -142,6 +142,7 @@ struct wording {
     size_t label, nlabel;       /* the words before the rows of this part, `Rib row 1:`, as they were written; 0: none */
     bool labelled;              /* those of a part have such words */
     bool cast_on;               /* stitches were cast on, or rows named, above */
+    size_t last_cast_on;        /* where they are for the last time; 0: that was not asked for */
     size_t heading;             /* where the line begins that was the last heading, `Middle:`; 0: none, or the first line */
     const char *written;
     size_t blank, behind_blank; /* a part of the text without a sign */
@@ -426,12 +427,12 @@ static bool begins_word(const struct wording *w, size_t at)
 }
 
 /* Whether stitches are cast on behind a place. */
-static bool casts_on_later(const struct wording *w, size_t at)
+static bool casts_on_later(struct wording *w, size_t at)
 {
-    for (; at < w->size; at++)
-        if ((w->text[at] | 0x20) == 'c' && begins_word(w, at) && prose_begins_cast_on(w->text + at))
-            return true;
-    return false;
+    for (size_t i = w->size; !w->last_cast_on && i-- > at;)
+        if ((w->text[i] | 0x20) == 'c' && begins_word(w, i) && prose_begins_cast_on(w->text + i))
+            w->last_cast_on = i;
+    return w->last_cast_on > at;
 }
 
 /* Puts a cast-on for `Multiple of 4 (I used 24)`, `An odd number of sts - I used 25`, where the page has no other. */

@@ -137,20 +137,25 @@ int words_depth(const char *text, size_t length, int depth)
 
 size_t words_one_of(const char *list, const char *text)
 {
-    for (const char *word = list; *word;) {
-        size_t n = strcspn(word, "|");
+    for (const char *word = list; *word; word += *word == '|') {
+        if (((*word ^ *text) & 0xDF) == 0) {
+            size_t n = strcspn(word, "|");
 
-        if (strncasecmp(text, word, n) == 0 && (!isalnum((unsigned char)word[n - 1]) || !isalnum((unsigned char)text[n])))
-            return n;
-        word += n + (word[n] == '|');
+            if (strncasecmp(text, word, n) == 0 && (!isalnum((unsigned char)word[n - 1]) || !isalnum((unsigned char)text[n])))
+                return n;
+        }
+        while (*word && *word != '|')
+            word++;
     }
     return 0;
 }
 
+enum { MOST_SKIPPED = 24 };     /* words: sentences have fewer */
+
 const char *words_skip_any(const char *text, const char *list)
 {
     text = words_skip_blanks(text);
-    for (size_t n; (n = words_one_of(list, text)) > 0;)
+    for (size_t n, skipped = 0; skipped < MOST_SKIPPED && (n = words_one_of(list, text)) > 0; skipped++)
         text = words_skip_blanks(text + n);
     return text;
 }
