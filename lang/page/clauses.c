@@ -73,17 +73,19 @@ static size_t often_length(const char *text)
     return n && (prose_line_ends(end) || strchr(".,;", *end) || words_one_of("and|then", words_skip_blanks(end))) ? (size_t)(end - text) : 0;
 }
 
-/* `When the scarf is long enough, ` before work; no numbers. */
+/* `When the scarf is long enough, `, `For the top border: ` before work; no numbers, and nothing that is worked. */
 static size_t when_length(const char *text, size_t at)
 {
     size_t end = at;
 
-    if (!words_one_of("when|once|as soon as", text + at) || !strchr("\r\n.;!", words_sign_before(text, at, " \t")))
+    if (!words_one_of("when|once|as soon as|after|for|make|now for|as for", text + at) || !strchr("\r\n.;!", words_sign_before(text, at, " \t")))
         return 0;
-    while (text[end] && !strchr(",.;:(\r\n", text[end]))
-        if (words_are(text + end, WORDS_NUMBER) || isdigit((unsigned char)text[end++]) || end - at > WORDS_REACH)
+    for (size_t n; text[end] && !strchr(",.;:(\r\n", text[end]); end += n ? n : 1) {
+        n = words_length(text + end);
+        if (words_are(text + end, WORDS_NUMBER | WORDS_PLAIN | WORDS_ROW | WORDS_EVERY | WORDS_SIDE) || isdigit((unsigned char)text[end]) || end - at > WORDS_REACH)
             return 0;
-    return text[end] == ',' && is_work(words_skip_any(text + end + 1, "and|then|you|can|may|just|now")) ? end + 1 - at : 0;
+    }
+    return (text[end] == ',' || text[end] == ':') && is_work(words_skip_any(text + end + 1, "and|then|you|can|may|just|now")) ? end + 1 - at : 0;
 }
 
 size_t clauses_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])

@@ -145,6 +145,8 @@ static bool begins_as_work(const char *text, size_t length)
         return counts_rows_of(text, length);
     if (words_is(text, "alternate"))
         return has_either(text, "sections", "rows");
+    if (words_is(text, "work") && words_are(next, WORDS_PART))      /* `Work border as before` */
+        return has_either(text, "as", "again");
     if (words_is(text, "work"))                                     /* a pattern by a name that no rows above have */
         return has_either(text, "until", "till") && has_either(text, "pattern", "stitch");
     if (words_is(text, "last") || words_is(text, "final"))          /* `Last row K` */

@@ -152,12 +152,12 @@ static bool is_dots(const char *text, size_t at)
 /* `Same.`, `as above`, `repeat previous row` behind `Row 6:`: its bytes, and `as 5`. */
 static size_t previous_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    static const char *const leads[] = {"same", "ditto", "idem", "as", "like", "repeat", "rep", "work", "for", "the"}, *const which[] = {"previous", "preceding", "last", "prior", "above", "before"};
-    bool same = words_find(text + at, leads, 3) >= 0;
-    size_t end = at;
-    int row = row_begun(text, at);
+    static const char *const leads[] = {"same", "ditto", "idem", "as", "like", "repeat", "rep", "work", "for", "the", "do", "exactly"}, *const which[] = {"previous", "preceding", "last", "prior", "above", "before"};
+    bool same = false;
+    size_t end = at, line = words_line_start(text, at);
+    int row = strchr(":-", words_sign_before(text, at, " ")) ? words_row(text + line + strspn(text + line, " \t*-")) : 0, lead;
 
-    while (row > 1 && words_find(text + end, leads, 10) >= 0)
+    for (; row > 1 && (lead = words_find(text + end, leads, 12)) >= 0; same |= lead < 3)
         end += words_length(text + end) + (text[end + words_length(text + end)] == ' ');
     if (end == at)
         return 0;
@@ -527,7 +527,7 @@ static const struct sign {
     {"<{=|([/:-~\xE2", false, .says = remarks_said},
     {":;<^", false, .skips = remarks_face},
     {"rRpPwW", true, .says = translated_length},
-    {"sSaAlLrRwWdDiI", true, .says = previous_length},
+    {"sSaAlLrRwWdDiItTeE", true, .says = previous_length},
     {"kKpP", true, .says = dashed_length},
     {"(", false, .is = is_side_between, 4, ""},
     {"(", false, .says = row_phrases_star},
@@ -546,7 +546,7 @@ static const struct sign {
     {"eEfFcCbBsStTaA", true, .says = framing_length},
     {",", false, .says = framing_length},
     {",)!", false, .says = clauses_length},
-    {"wWoOaAtT", true, .says = clauses_length},
+    {"wWoOaAtTfFmMnN", true, .says = clauses_length},
     {"wWcC", true, .says = row_phrases_repeats},
     {"tTfF", true, .says = row_phrases_form},
     {"iI", true, .says = row_phrases_formed},
