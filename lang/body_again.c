@@ -382,8 +382,8 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
     rows_work(body->rows);
     if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
         return false;
-    if (again->numbered)    /* rows without numbers count, too, in the piece */
-        n += rows_count(body->rows) - rows_last_number(body->rows);
+    if (again->numbered)
+        n = rows_up_to(body->rows, (int)n);
     if (!choose_rows(eval, stmt, again, body))
         return false;
     if (again->which == AGAIN_GO_ON && !again->rib && again->kind == AGAIN_PATTERN && !rows_pattern(body->rows, true).n) {

@@ -152,6 +152,11 @@ static void count_on(struct row_list *list, int label)
     list->first = label;
 }
 
+int rows_up_to(const struct row_list *list, int number)
+{
+    return rows_before_first(list) + number - (list->last_label ? list->first_label : 1) + 1;
+}
+
 struct row_text *row_list_counted(const struct row_list *list, int label)
 {
     int place = rows_before_first(list) + label - list->first_label;

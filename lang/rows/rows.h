@@ -150,6 +150,9 @@ bool rows_starred(struct row_list *, struct span, struct starred, struct row_tex
 /* The number of the last row given. */
 int rows_last_number(const struct row_list *);
 
+/* How many rows the piece has with the one that has this number, or would have, were rows that are worked again numbered, too. */
+int rows_up_to(const struct row_list *, int number);
+
 /* The rows given so far are a pattern only: not worked yet. */
 void rows_define(struct row_list *);
 
