@@ -156,13 +156,13 @@ size_t fabrics_changed(const char *text, size_t at, char plain[static SIGNS_PLAI
 size_t fabrics_repeated(const char *text, size_t *length)
 {
     size_t line = words_line_length(text), n = 0;
-    const char *rows;
+    const char *rows, *first = words_next(text);
 
-    if (!strchr("*([", *text))
+    if (!*text || !(strchr("*([", *text) || (words_are(text, WORDS_PLAIN) && words_behind_number(first) && !words_are_rows(words_behind_number(first)))))
         return 0;
     while (n < line && !(words_is(text + n, "for") && text[n - 1] == ' '))
         n++;
-    rows = n < line ? words_behind_number(words_next(text + n)) : NULL;
+    rows = n < line && isdigit((unsigned char)*words_next(text + n)) ? words_behind_number(words_next(text + n)) : NULL;
     if (!rows || !words_are_rows(rows) || !prose_stitches_follow(text + strspn(text, "*([ ")))
         return 0;
     rows += words_length(rows);

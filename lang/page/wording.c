@@ -611,9 +611,9 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size, co
         }
         if (w.text[at] && strchr("rRkK123456", w.text[at]) && begins_word(&w, at))
             put_described_rib(&w, at);
-        at += stitches_length(w.text + at);
         if (at == 0 || strchr("\r\n", w.text[at - 1]))
             put_line(&w, at, depth);
+        at += stitches_length(w.text + at);
         put_brackets(&w, at);
         if (strncmp(w.text + at, "**", 2) == 0 && w.text[at + 2] != '*')
             put_inner(&w, at);
