@@ -7,6 +7,9 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page/words.h"
+
+enum { WORDING = 32 };  /* bytes of the longest plain wording */
 enum { WORDS = 1024, BUCKETS = 4096, ALTERNATIVES = 8192, PIECES = 4096, MOST = 512 };
 
 /* The words are numbered; the first stand for `#`, as figures do, the next for `$`. */
@@ -277,4 +280,79 @@ int phrases_find(struct phrases *phrases, const char *text, size_t at, int from,
                 return phrase;
         }
     return -1;
+}
+
+/* ---- what stands for them ---- */
+
+bool phrases_break(const char *text, const struct found *found)
+{
+    size_t start = found->start[0], length = found->end[found->n - 1] - start;
+
+    return memchr(text + start, '\n', length) || memchr(text + start, '\r', length);
+}
+
+bool phrases_change(const char *text, const struct found *found)
+{
+    for (int i = 0; i < found->n; i++)
+        if (!found->stays[i])
+            return true;
+    return phrases_break(text, found);
+}
+
+static bool is_number(const char *text)
+{
+    return isdigit((unsigned char)*text) || words_one_of("one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve", text);
+}
+
+/* Which word of a phrase its number is: one that goes before one that stays. */
+static int number_of(const char *text, const struct found *found)
+{
+    int number = found->n - 1;
+
+    for (int i = found->n - 1; i >= 0; i--)
+        if (is_number(text + found->start[i]) && (!found->stays[i] || found->stays[number]))
+            number = i;
+    return number;
+}
+
+/* The plain wording with the phrase's number for its `#`. */
+static size_t with_number(const char *text, const struct found *found, const char *plain, char wording[static WORDING])
+{
+    size_t before = strcspn(plain, "#"), number;
+    int i = number_of(text, found);
+
+    if (!plain[before])
+        return strlen(strcpy(wording, plain));
+    number = found->end[i] - found->start[i];
+    if (number + strlen(plain) > WORDING)
+        return 0;
+    memcpy(wording, plain, before);
+    memcpy(wording + before, text + found->start[i], number);
+    strcpy(wording + before + number, plain + before + 1);
+    return strlen(wording);
+}
+
+bool phrases_put(char *text, const struct found *found, const char *plain)
+{
+    char wording[WORDING];
+    size_t length = with_number(text, found, plain, wording), from = 0, end = found->end[found->n - 1];
+    int first = 0;
+
+    while (first < found->n && found->stays[first])
+        first++;
+    if (length) {
+        from = found->start[first];
+        for (int i = first; i < found->n && !found->stays[i]; i++)
+            end = found->end[i];
+        if (first == found->n || from + length > end)
+            return false;
+    }
+    for (int i = 0; i < found->n; i++) {
+        if (!found->stays[i])
+            memset(text + found->start[i], ' ', found->end[i] - found->start[i]);
+        if (i + 1 < found->n)
+            memset(text + found->end[i], ' ', found->start[i + 1] - found->end[i]);
+    }
+    memcpy(text + from, wording, length);
+    return true;
 }

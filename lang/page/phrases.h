@@ -32,6 +32,13 @@ struct phrases *phrases_read(struct arena *, const struct phrase *, int n);
 /* The first phrase, from a number on, whose words stand at a place where a word begins; -1: none. */
 int phrases_find(struct phrases *, const char *text, size_t at, int from, struct found *);
 
+/* Whether a line ends within a phrase; whether a word of it goes, or such an end. */
+bool phrases_break(const char *text, const struct found *);
+bool phrases_change(const char *text, const struct found *);
+
+/* Puts the plain wording where the first word is that goes; false: there is no room. */
+bool phrases_put(char *text, const struct found *, const char *plain);
+
 /* Behind blanks and at most one line end. */
 size_t phrases_skip(const char *text, size_t at);
 

@@ -11,6 +11,7 @@
 
 #include "lang/page/lengths.h"
 #include "lang/page/prose.h"
+#include "lang/page/prose_line.h"
 #include "lang/page/remarks.h"
 #include "lang/page/ribs.h"
 #include "lang/page/words.h"
@@ -268,6 +269,35 @@ size_t row_phrases_form(const char *text, size_t at, char plain[static SIGNS_PLA
         return 0;
     strcpy(plain, "for patt");
     return end - at;
+}
+
+size_t row_phrases_previous(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char *const leads[] = {"same", "ditto", "idem", "as", "like", "repeat", "rep", "work", "for", "the", "do", "exactly"}, *const which[] = {"previous", "preceding", "last", "prior", "above", "before"};
+    bool same = false;
+    size_t end = at, line = words_line_start(text, at);
+    int row = strchr(":-", words_sign_before(text, at, " ")) ? words_row(text + line + strspn(text + line, " \t*-")) : 0, lead;
+
+    for (; row > 1 && (lead = words_find(text + end, leads, 12)) >= 0; same |= lead < 3)
+        end += words_length(text + end) + (text[end + words_length(text + end)] == ' ');
+    if (end == at)
+        return 0;
+    if (words_find(text + end, which, 6) >= 0) {
+        same = words_find(text + end, which, 6) > 3;
+        end += words_length(text + end) + (text[end + words_length(text + end)] == ' ');
+        if (words_are_rows(text + end))
+            end += words_length(text + end);
+        else if (!same)
+            return 0;
+    } else if (!same) {
+        return 0;
+    }
+    /* `Same`, and on the next line `as row 2`. */
+    if (!prose_line_ends(text + end) || words_is(prose_line_next(text + end), "as"))
+        return 0;
+    end += text[end] == '.';
+    snprintf(plain, SIGNS_PLAIN, "as %d", row - 1);
+    return strlen(plain) <= end - at ? end - at : 0;
 }
 
 size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_PLAIN])

@@ -28,6 +28,9 @@ size_t row_phrases_told(const char *text, size_t at, char plain[static SIGNS_PLA
 /* `the last 2 rows` of `Rows 3-8: repeat the last 2 rows`: `rows 1-2`. */
 size_t row_phrases_last(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
+/* `Same.`, `as above`, `repeat previous row` behind `Row 6:`: `as 5`. */
+size_t row_phrases_previous(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
 /* `Rows 1 and 2 are repeated` so often: `rep Rows 1-2`. */
 size_t row_phrases_passive(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 

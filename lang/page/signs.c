@@ -149,36 +149,6 @@ static bool is_dots(const char *text, size_t at)
     return (words_is(behind, "end") || words_is(behind, "ending")) && remarks_in_row(text, at);
 }
 
-/* `Same.`, `as above`, `repeat previous row` behind `Row 6:`: its bytes, and `as 5`. */
-static size_t previous_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
-{
-    static const char *const leads[] = {"same", "ditto", "idem", "as", "like", "repeat", "rep", "work", "for", "the", "do", "exactly"}, *const which[] = {"previous", "preceding", "last", "prior", "above", "before"};
-    bool same = false;
-    size_t end = at, line = words_line_start(text, at);
-    int row = strchr(":-", words_sign_before(text, at, " ")) ? words_row(text + line + strspn(text + line, " \t*-")) : 0, lead;
-
-    for (; row > 1 && (lead = words_find(text + end, leads, 12)) >= 0; same |= lead < 3)
-        end += words_length(text + end) + (text[end + words_length(text + end)] == ' ');
-    if (end == at)
-        return 0;
-    if (words_find(text + end, which, 6) >= 0) {
-        same = words_find(text + end, which, 6) > 3;
-        end += words_length(text + end) + (text[end + words_length(text + end)] == ' ');
-        if (words_are_rows(text + end))
-            end += words_length(text + end);
-        else if (!same)
-            return 0;
-    } else if (!same) {
-        return 0;
-    }
-    /* `Same`, and on the next line `as row 2`. */
-    if (!prose_line_ends(text + end) || words_is(prose_line_next(text + end), "as"))
-        return 0;
-    end += text[end] == '.';
-    snprintf(plain, SIGNS_PLAIN, "as %d", row - 1);
-    return strlen(plain) <= end - at ? end - at : 0;
-}
-
 /* The blank before `CO 20`, the comma before `R2:`: where a sentence ends and a part of the pattern begins. */
 static bool is_end_of_sentence(const char *text, size_t at)
 {
@@ -527,7 +497,7 @@ static const struct sign {
     {"<{=|([/:-~\xE2", false, .says = remarks_said},
     {":;<^", false, .skips = remarks_face},
     {"rRpPwW", true, .says = translated_length},
-    {"sSaAlLrRwWdDiItTeE", true, .says = previous_length},
+    {"sSaAlLrRwWdDiItTeE", true, .says = row_phrases_previous},
     {"kKpP", true, .says = dashed_length},
     {"(", false, .is = is_side_between, 4, ""},
     {"(", false, .says = row_phrases_star},

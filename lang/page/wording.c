@@ -23,7 +23,7 @@
 #include "lang/page/words.h"
 #include "lang/page/yarns.h"
 
-enum { WORDING = 32, FEW = 16 };
+enum { FEW = 16 };
 
 /* Whether `k`, `knit`, `p` or `purl` stands before. */
 static bool behind_stitch(const char *text, size_t at)
@@ -43,87 +43,12 @@ static bool begins_line(const char *text, size_t at)
     return words_sign_before(text, at, " \t*-") == '\n';
 }
 
-static bool breaks(const char *text, const struct found *found)
-{
-    size_t start = found->start[0], length = found->end[found->n - 1] - start;
-
-    return memchr(text + start, '\n', length) || memchr(text + start, '\r', length);
-}
-
-/* Whether a word goes, or a line end between them. */
-static bool changes(const char *text, const struct found *found)
-{
-    for (int i = 0; i < found->n; i++)
-        if (!found->stays[i])
-            return true;
-    return breaks(text, found);
-}
-
 /* Whether behind a row's name its stitches follow, or `work`. */
 static bool work_follows(const char *text)
 {
     text += strspn(text, " \t");
     text += strspn(text, ":,;") + strspn(text + strspn(text, ":,;"), " \t");
     return prose_stitches_follow(text) || words_one_of("knit|purl|k|p|work", text);
-}
-
-static bool is_number(const char *text)
-{
-    return isdigit((unsigned char)*text) || words_one_of("one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve", text);
-}
-
-/* Which word of a phrase its number is: one that goes before one that stays. */
-static int number_of(const char *text, const struct found *found)
-{
-    int number = found->n - 1;
-
-    for (int i = found->n - 1; i >= 0; i--)
-        if (is_number(text + found->start[i]) && (!found->stays[i] || found->stays[number]))
-            number = i;
-    return number;
-}
-
-/* The plain wording with the phrase's number for its `#`. */
-static size_t with_number(const char *text, const struct found *found, const char *plain, char wording[static WORDING])
-{
-    size_t before = strcspn(plain, "#"), number;
-    int i = number_of(text, found);
-
-    if (!plain[before])
-        return strlen(strcpy(wording, plain));
-    number = found->end[i] - found->start[i];
-    if (number + strlen(plain) > WORDING)
-        return 0;
-    memcpy(wording, plain, before);
-    memcpy(wording + before, text + found->start[i], number);
-    strcpy(wording + before + number, plain + before + 1);
-    return strlen(wording);
-}
-
-/* Makes room, and puts the plain wording where the first word was that goes. */
-static bool put_plain(char *text, const struct found *found, const char *plain)
-{
-    char wording[WORDING];
-    size_t length = with_number(text, found, plain, wording), from = 0, end = found->end[found->n - 1];
-    int first = 0;
-
-    while (first < found->n && found->stays[first])
-        first++;
-    if (length) {
-        from = found->start[first];
-        for (int i = first; i < found->n && !found->stays[i]; i++)
-            end = found->end[i];
-        if (first == found->n || from + length > end)
-            return false;
-    }
-    for (int i = 0; i < found->n; i++) {
-        if (!found->stays[i])
-            memset(text + found->start[i], ' ', found->end[i] - found->start[i]);
-        if (i + 1 < found->n)
-            memset(text + found->end[i], ' ', found->start[i + 1] - found->end[i]);
-    }
-    memcpy(text + from, wording, length);
-    return true;
 }
 
 /* The same, or that a sentence ends before. */
@@ -175,9 +100,9 @@ static void put_phrase(struct wording *w, struct phrases *phrases, const struct 
         char mark = *table[i].words;
 
         if ((mark == '@' && !behind_stitch(w->text, at)) || (mark == '^' && !begins_line(w->text, at)) || (strchr(">!", mark) && !begins_sentence(w->text, at)) ||
-            (breaks(w->text, &found) && (strchr("<>", mark) || w->text[found.end[found.n - 1]] == ':')) || (mark == '>' && !work_follows(w->text + found.end[found.n - 1])))
+            (phrases_break(w->text, &found) && (strchr("<>", mark) || w->text[found.end[found.n - 1]] == ':')) || (mark == '>' && !work_follows(w->text + found.end[found.n - 1])))
             continue;
-        if (changes(w->text, &found) && !reaches_row(w->text, &found) && put_plain(own_text(w), &found, table[i].plain))
+        if (phrases_change(w->text, &found) && !reaches_row(w->text, &found) && phrases_put(own_text(w), &found, table[i].plain))
             return;
     }
 }
