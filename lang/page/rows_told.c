@@ -97,9 +97,9 @@ size_t rows_told_length(const char *text, size_t at, char plain[static SIGNS_PLA
         return 0;
     end = behind_plain(behind, &stitch);
     if (!end) {
-        end = words_skip_any(behind, "worked|knitted|made|done|as follows|:|,");
+        end = words_skip_any(behind, "worked|knitted|made|done|the|same|exactly|just|as follows|:|,");
         stitch = '\0';
-        if (!prose_stitches_follow(end) || (end == behind && words_are_rows(words_next(end))))
+        if (!prose_stitches_follow(end) || (end == behind && !words_is(end, "as") && words_are_rows(words_next(end))))
             return 0;
     }
     if (strlen(head) + 5 > SIGNS_PLAIN)
