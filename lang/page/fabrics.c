@@ -108,8 +108,11 @@ size_t fabrics_alternate(const char *text, size_t at, char plain[static SIGNS_PL
     behind = behind ? behind_one_row(words_skip_any(behind, ",|and|then|."), &second) : NULL;
     if (!behind || first == second)
         return 0;
-    for (const char *word = text + at; word < behind; word += words_length(word) + 1)
+    for (const char *word = text + at; word < behind; word += words_length(word) + 1) {
         named |= words_are_rows(word);
+        if (words_one_of("rnd|rnds|rd|rds|round|rounds", word))    /* garter, there */
+            return 0;
+    }
     number = words_skip_any(behind, ",|.|;|)|]|*");
     all = open || words_are(number, WORDS_AGAIN);       /* else `purl 1 row, 3 times` may be meant */
     number = words_skip_any(number, "repeat|rep|repeating|alternately|for|a|total|of");

@@ -72,7 +72,7 @@ static const char *behind_statement(const char *text, const char *which, char pl
     }
     if (!end || !(prose_fabric_follows(words_skip_any(end, "of|in")) || (verb && ends(end))))
         return NULL;
-    snprintf(counted, sizeof counted, " %d %s", n, words_are_rows(rows) ? "rows" : "ridges");
+    snprintf(counted, sizeof counted, " %d %.*s", n, (int)words_length(rows), rows);
     used = snprintf(plain, SIGNS_PLAIN, "%s%s", before, verb ? verb : "work");
     snprintf(plain + used, SIGNS_PLAIN - (size_t)used, "%*s", (int)(end - text) - used, counted);
     return end - text < SIGNS_PLAIN && strlen(plain) <= (size_t)(end - text) ? end : NULL;

@@ -24,10 +24,14 @@ static const char *behind_ordinals(const char *text, char plain[static SIGNS_PLA
 {
     char numbers[SIGNS_PLAIN] = "";
     int used = 0;
+    bool range = false;     /* `1st to 3rd` */
     size_t n;
 
-    for (int number; (number = nth(text, &n)) > 0 && number < 10000 && used + 8 < SIGNS_PLAIN; text = words_skip_any(text + n, joins))
-        used += snprintf(numbers + used, sizeof numbers - (size_t)used, used ? ",%d" : "%d", number);
+    for (int number; (number = nth(text, &n)) > 0 && number < 10000 && used + 8 < SIGNS_PLAIN; text = words_skip_any(text + n, joins)) {
+        used += snprintf(numbers + used, sizeof numbers - (size_t)used, "%s%d", used && !range ? "," : "", number);
+        range = words_one_of("to|through|-", words_skip_blanks(text + n)) > 0;
+        used += range ? snprintf(numbers + used, sizeof numbers - (size_t)used, "-") : 0;
+    }
     if (!used || !words_are_rows(text))
         return NULL;
     snprintf(plain, SIGNS_PLAIN, "row %s", numbers);

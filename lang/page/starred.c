@@ -144,14 +144,14 @@ static struct named_stars stars_named(const char *text, size_t at)
     return is_of_row(behind) ? (struct named_stars){0} : named;
 }
 
-/* `from **` behind `Repeat` at a sentence's beginning, or behind `then`: its place, or 0. */
+/* `from **` behind `Repeat`, `Work` at a sentence's beginning, or behind `then`: its place, or 0. */
 static size_t from_place(const char *text, size_t at)
 {
     const char *word = text + at, *next = words_next(word + (strncasecmp(word, "rep.", 4) == 0));
 
     if (words_is(word, "then"))
         next = words_are(next, WORDS_AGAIN) ? words_next(next) : next;
-    else if (!words_are(word, WORDS_AGAIN) || !(begins(text, at) || '*' == words_sign_before(text, at, " \t,;")))
+    else if (!(words_are(word, WORDS_AGAIN) || words_is(word, "work")) || !(begins(text, at) || '*' == words_sign_before(text, at, " \t,;")))
         return 0;
     return words_is(next, "from") || words_is(next, "between") ? (size_t)(next - text) : 0;
 }
@@ -236,6 +236,8 @@ const char *starred_plain(struct arena *arena, const char *text, size_t size)
         if (are_above(&marks, &named)) {
             own = own ? own : arena_copy(arena, text, size);
             put_named(own, &marks, &named);
+            if (words_is(own + at, "work"))     /* `Work from ** to **` */
+                memcpy(own + at, "rep ", strlen("rep "));
             if (named.from.n == 1)
                 forget_single(&marks);
         }
