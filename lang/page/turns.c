@@ -466,6 +466,7 @@ const struct phrase turns_of_pages[] = {
     {"! i|we|you|i've cast|casted on? =#", "co"},
     {"! cast =# =sts|stitches", "co"},
     {"=knit|purl|k|p ( k|p )", ""},
+    {"! ( # rows|rounds|rnds in|have|are|been? total|all|altogether|completed|worked|done )", ""},
     {"! work|knit =# =rows|rounds|rnds as follows|this =:", "next"},
     {"=knit|purl|k|p each|every|all st|stitch|stitches|sts on|in? every|each? row? for =# =rows|rounds|rnds", ""},
     {"^ garter border|edge|edging|band :|- =# =rows|rounds|rnds", "knit"},
