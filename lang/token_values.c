@@ -12,6 +12,7 @@
 #include "lang/page/edges.h"
 #include "lang/page/lengths.h"
 #include "lang/page/words.h"
+#include "lang/refused.h"
 
 int scanner_text(struct scanner *scanner, KNIT_STYPE *value, int kind, struct span span, const char *text,
                  size_t length)
@@ -158,14 +159,24 @@ bool scanner_counts_again(const struct scanner *scanner, size_t length)
            strtol(text + at, NULL, 10) == strtol(again + first, NULL, 10);
 }
 
-int scanner_edge(struct scanner *scanner, KNIT_STYPE *value, const char *text)
+/* `edge st`, worked as the page says; not, where it slips them, or says it of one side alone. */
+int scanner_edge(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *text)
 {
+    static const char *const stitch[] = {[EDGE_GARTER] = "garter", [EDGE_STOCKINETTE] = "stockinette", [EDGE_REVERSE] = "reverse", [EDGE_PURLED] = "p", [EDGE_SLIPPED] = "k",
+                                         [EDGE_UNCLEAR] = "k"};
+    const struct page_facts *facts = &scanner->parse->facts;
     char name[32];
 
+    if (facts->edge == EDGE_SLIPPED)
+        refused_word(scanner->parse->diag, "slip", span);
+    if (facts->edge == EDGE_UNCLEAR) {
+        diag_error(scanner->parse->diag, CODE_ELSEWHERE, span, "what is said of these edge stitches is not understood");
+        diag_hint(scanner->parse->diag, "`Edge sts: knit on RS rows, purl on WS rows`, or write their stitches here: `k1`");
+    }
     scanner_number_word(value, text);
     if (isdigit((unsigned char)*text))
         value->number.value = strtod(text, NULL);
-    snprintf(name, sizeof name, "k%.0f", fmin(value->number.value, 999999));
+    snprintf(name, sizeof name, "%s%.0f", facts->rounds ? "k" : stitch[facts->edge], fmin(value->number.value, 999999));
     value->text = names_intern(scanner->parse->names, name, strlen(name));
     return scanner_token(scanner, TOKEN_NAME);
 }

@@ -9,7 +9,7 @@
 int scanner_text(struct scanner *, KNIT_STYPE *, int kind, struct span, const char *text, size_t length);
 int scanner_string(struct scanner *, KNIT_STYPE *, const char *text, size_t length);
 int scanner_number(struct scanner *, struct span, KNIT_STYPE *, const char *text, size_t length);
-int scanner_edge(struct scanner *, KNIT_STYPE *, const char *text);      /* `1 edge st`: so many knit stitches */
+int scanner_edge(struct scanner *, KNIT_STYPE *, struct span, const char *text);      /* `1 edge st`: as the page says that they are worked */
 int scanner_turned(struct scanner *, KNIT_STYPE *, const char *text);    /* `4 k`: a name */
 bool scanner_behind_turned(const struct scanner *, struct span next);   /* which stands before it */
 

@@ -228,5 +228,6 @@ struct page_facts page_facts_read(const char *text, size_t size)
     facts.circle = facts.rounds || facts.loom ? 0 : find_circle(text);
     facts.machine = facts.rounds ? 0 : find_machine(text);
     facts.sizes = find_sizes(text, &facts.nsizes);
+    facts.edge = edge_stitches_read(text, &facts.edges);
     return facts;
 }

@@ -4,6 +4,7 @@
 #define WEFT_PAGE_FACTS_H
 
 #include "lang/ast.h"
+#include "lang/page/edge_stitches.h"
 
 struct page_facts {
     bool      knitters;     /* rows in a knitter's words, and no statement of the language's own */
@@ -19,6 +20,8 @@ struct page_facts {
     size_t    machine;      /* behind the word of a knitting machine; 0: no word of one */
     size_t    sizes;        /* where the cast-on names further sizes, `20 (26, 30)`, */
     int       nsizes;       /* so many of them; 0: it names none */
+    bool      edges;        /* rows name edge stitches, `edge st`, */
+    enum edge_stitch edge;  /* worked so */
 };
 
 /* Those of a text whose marks are plain. Of one longer than a page's only whether its rows are rounds. */

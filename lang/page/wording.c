@@ -494,6 +494,18 @@ static void put_yarn(struct wording *w, size_t at)
         put_blanks(w, at, length, "");
 }
 
+/* Takes a sentence on the edge stitches that rows name: it is a fact of the page. */
+static void put_edges(struct wording *w, size_t at)
+{
+    enum edge_stitch kind;
+    size_t length = 0;
+
+    if (isalnum((unsigned char)w->text[at]) && (begins_sentence(w->text, at) || strchr("(:", words_sign_before(w->text, at, " \t"))))
+        length = edge_stitches_length(w->text, at, &kind);
+    if (length && kind != EDGE_UNCLEAR)
+        put_blanks(w, at, length, "");
+}
+
 /* The turns of phrase that begin at a place. */
 static void put_phrases(struct wording *w, size_t at)
 {
@@ -545,6 +557,8 @@ const char *wording_plain(struct arena *arena, const char *text, size_t size, co
         put_word(&w, at);
         if (depth == 0)
             put_yarn(&w, at);
+        if (facts->edges)
+            put_edges(&w, at);
         depth += w.text[at] == '{' ? 1 : w.text[at] == '}' && depth > 0 ? -1 : 0;
         put_sign(&w, at);
         put_phrases(&w, at);
