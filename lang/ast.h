@@ -187,6 +187,7 @@ struct again {
     struct row_numbers *numbers;
     struct expr        *last;           /* repeat the last n rows */
     struct starred      starred;        /* those between the stars */
+    bool                bracketed;      /* or in brackets, worked once */
     enum again_kind     kind;
     bool                pattern;        /* said in words: "for pattern" */
     bool                open;           /* until a length, of which no gauge says how many rows it is */

@@ -124,7 +124,7 @@ static long long rows_nearest(struct body *body, const struct again *again, stru
 static long long rows_to_length(const struct again *again, struct body *body, struct row_texts texts, long long n)
 {
     long long part = last_part(body, again, texts), nearest;
-    bool among = rows_just_worked(body->rows, texts);
+    bool among = again->bracketed || rows_just_worked(body->rows, texts);
 
     if (again->kind == AGAIN_LENGTH)
         n -= rows_count(body->rows);
@@ -247,7 +247,7 @@ static bool counts_above(struct eval *eval, struct where where, const struct stm
 /* What is left to work of n times or n rows in all, where the rows above are among them. */
 static long long left_to_work(const struct again *again, struct body *body, struct row_texts texts, long long n, bool described)
 {
-    bool among = rows_just_worked(body->rows, texts);
+    bool among = again->bracketed || rows_just_worked(body->rows, texts);
 
     switch (again->kind) {
     case AGAIN_TOTAL:

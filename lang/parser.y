@@ -141,6 +141,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token BETWEEN          "'in between'"
 %token <edges> KEPT_EDGES   "'keep .. stitches at each edge'"
 %token <stars> STARS           "stars that mark rows"
+%token GROUP_END               "the end of rows in brackets"
 %token <starred> REPEAT_STARRED  "'repeat from' the stars"
 %token <starred> THEN_STARRED    "'then from' the stars"
 %token GO_ON_ROWS       "'continue in pattern for'"
@@ -582,6 +583,7 @@ repeat_statement:
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
 | REPEAT_THEM again                     { $$ = stmt_again(parse, @$, $again); $$->again.which = AGAIN_THEM; }
+| GROUP_END again                       { $$ = stmt_again(parse, @$, syntax_group(syntax_work_again(NULL, $again))); }
 | REPEAT_STARRED again                  { $$ = stmt_again(parse, @$, syntax_starred($REPEAT_STARRED, $again)); }
 | WORK_LAST count ROW_WORD again        { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_LAST; $$->again.last = $count; }
 | WORK_THEM again                       { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_THEM; }

@@ -452,6 +452,14 @@ struct again syntax_work_again(struct row_numbers *numbers, struct again again)
     return again;
 }
 
+/* `[Knit 2 rows, purl 2 rows] twice`: in all, surely. */
+struct again syntax_group(struct again again)
+{
+    again.assumed = false;
+    again.bracketed = true;
+    return syntax_starred((struct starred){1, 0}, again);
+}
+
 /* ---- what is not said, and what is taken ---- */
 
 struct multiple syntax_parity(struct parse *parse, struct span span, int of, int plus)

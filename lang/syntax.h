@@ -55,6 +55,7 @@ struct row syntax_sided(struct parse *, struct row head, struct span, enum side)
 struct row syntax_row(struct parse *, struct row head, struct span head_span, struct row body, struct span body_span);
 struct item *syntax_fabric_stitches(struct parse *, struct span, struct fabric, struct expr *count, struct until);
 struct again syntax_work_again(struct row_numbers *, struct again);
+struct again syntax_group(struct again);
 struct again syntax_again(struct row_numbers *, struct expr *last, struct again);
 void syntax_rows_times(struct parse *, struct span);
 void syntax_rows_so_far(struct parse *, struct span);       /* a second count of rows, behind those worked */

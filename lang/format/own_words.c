@@ -59,9 +59,17 @@ static bool has_own_words(const struct token *first, const struct token *end, co
     return row && row->reference && (row->times || row->reference->next || row->reference->last || row->reference->all);
 }
 
+/* `Rice Stitch: *k1, p1; ..`: the row's head is put into the name's words. */
+static bool has_name(const struct token *first)
+{
+    const char *text = first->span.source->text + first->span.start;
+
+    return first->kind == TOKEN_ROW && first->span.end - first->span.start == 1 && first->span.start > 0 && isalpha((unsigned char)text[-1]);
+}
+
 bool own_words(const struct token *first, const struct token *end, const struct stmt *stmt)
 {
-    return has_own_words(first, end, stmt) || has_skipped_words(first, end, stmt);
+    return has_name(first) || has_own_words(first, end, stmt) || has_skipped_words(first, end, stmt);
 }
 
 unsigned own_words_end(struct span span)

@@ -3,6 +3,7 @@
  * A star is a bullet, a bold word's or a row's own until a `Repeat from *` names it. */
 #include "lang/page/starred.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "lang/page/prose.h"
@@ -208,21 +209,95 @@ static void forget_single(struct marks *marks)
     marks->n = n;
 }
 
+/* `2 times`, `(twice)`, `x 3` */
+static bool says_how_often(const char *text)
+{
+    const char *times = words_skip_blanks(text);
+
+    times = words_skip_blanks(times + (*times == '(' || *times == ','));
+    return prose_times_follow(times) || words_are(times, WORDS_OFTEN) || (words_is(times, "x") && isdigit((unsigned char)*words_next(times))) ||
+           (strncmp(times, "\xC3\x97", 2) == 0 && isdigit((unsigned char)*words_skip_blanks(times + 2)));
+}
+
+/* Where a bracket is closed that a text begins with, or 0. */
+static size_t close_of(const char *text)
+{
+    int open = 0;
+
+    for (size_t at = 0; text[at] && at < WORDS_REACH; at++) {
+        open += strchr("([", text[at]) ? 1 : strchr(")]", text[at]) ? -1 : 0;
+        if (open == 0)
+            return at;
+    }
+    return 0;
+}
+
+/* Whether rows are worked, not again. */
+static bool rows_follow(const char *text)
+{
+    const char *behind = words_behind_number(text);
+
+    return behind ? words_are_rows(behind) : work_follows(text) && !words_are(text, WORDS_AGAIN) && !(words_is(text, "work") && words_row(words_next(text)));
+}
+
+/* Where `[Work 2 rows in st st, knit 4 rows] twice` is closed, which groups rows; 0: it groups stitches, or is a remark.
+ * *verb: where `Work [2 rows in st st, ..` begins, or the bracket. */
+static size_t close_of_rows(const char *text, size_t at, size_t *verb)
+{
+    size_t close, work = words_before(text, at);
+
+    *verb = work < at && words_is(text + work, "work") ? work : at;
+    close = begins(text, *verb) || words_sign_before(text, *verb, " \t") == ',' ? close_of(text + at) : 0;
+    if (!close || !says_how_often(text + at + close + 1) || !rows_follow(text + at + 1 + strspn(text + at + 1, " \t\r\n")))
+        return 0;
+    return at + close;
+}
+
+/* Puts a semicolon for a comma before rows. */
+static void put_stop(char *text, size_t at)
+{
+    if (text[at] == ',' && rows_follow(words_skip_blanks(text + at + 1)))
+        text[at] = ';';
+}
+
+/* Puts its marks: the rows behind the first are worked so often in all. */
+static void put_group(char *text, size_t verb, size_t at, size_t close)
+{
+    size_t first = verb;
+
+    for (size_t i = at; i < close; i++)
+        put_stop(text, i);
+    put_stop(text, close + strcspn(text + close, ",.;\r\n"));
+    while (verb > 0 && strchr(" \t,", text[verb - 1]))
+        verb--;
+    text[verb] = text[verb] == ',' ? ';' : text[verb];
+    memset(text + first, ' ', at - first);
+    text[at] = '\1';
+    text[close] = STARRED_GROUP_END;
+    while (strchr(" .;,", text[--close]))
+        text[close] = ' ';
+}
+
 const char *starred_plain(struct arena *arena, const char *text, size_t size)
 {
     struct marks marks = {0};
     struct words_line line = {0};
     char *own = NULL;
 
-    if (!memchr(text, '*', size))
+    if (!strpbrk(text, "*[("))
         return text;
     for (size_t at = 0, n; at < size; at += n ? n : 1) {
         struct named_stars named = {0};
-        size_t from = 0;
+        size_t from = 0, close, verb;
 
         n = text[at] == '*' ? strspn(text + at, "*") : words_length(text + at);
         if (words_line_is_long(&line, text, at))
             continue;
+        close = text[at] == '[' || text[at] == '(' ? close_of_rows(text, at, &verb) : 0;
+        if (close) {
+            own = own ? own : arena_copy(arena, text, size);
+            put_group(own, verb, at, close);
+        }
         if (text[at] == '*' && count_stars(text + at) && marks.n < MOST_MARKS && may_be_mark(text, at, (int)n, is_open(&marks)))
             marks.stars[marks.n++] = (struct stars){at, (int)n};
         if (text[at] == '*')
@@ -249,7 +324,7 @@ const char *starred_plain(struct arena *arena, const char *text, size_t size)
 /* The stars that a mark's byte stands for; 0: another byte. */
 static int mark_at(const char *text)
 {
-    return *text >= 1 && *text <= MOST_STARS ? *text : 0;
+    return *text >= 1 && *text <= STARRED_GROUP_END ? *text : 0;
 }
 
 int starred_mark(const char *plain, const char *source, size_t at)
