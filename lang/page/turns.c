@@ -290,7 +290,9 @@ const struct phrase turns_of_pages[] = {
 
     /* rows again, rows of one stitch */
     {"work|knit # more|further|additional repeats|repetitions|reps of the? pattern|patt", "rep them x # more"},
-    {"=: see =row|rnd|round =#", "as"},
+    {"=:|- see =row|rnd|round =#", "as"},
+    {"! =work =a|another|further|more? =further|more? =# =more|further? =rows|rnds|rounds patt|pattern|pat", ""},
+    {"see =row|rnd|round =# =.", "as"},
     {"=knit|purl across|even for =# =rows|rnds|rounds", ""},
     {"=knit|purl =# =rows|rnds|rounds even|straight|plain", ""},
 
