@@ -293,6 +293,8 @@ const struct phrase turns_of_pages[] = {
     {"=:|- see =row|rnd|round =#", "as"},
     {"! =work =a|another|further|more? =further|more? =# =more|further? =rows|rnds|rounds patt|pattern|pat", ""},
     {"see =row|rnd|round =# =.", "as"},
+    {"! work # complete|full|pattern? repeats|repetitions|reps in total|all", "work pattern # times"},
+    {"^ foll|following row =:|-", "next row"},
     {"=knit|purl across|even for =# =rows|rnds|rounds", ""},
     {"=knit|purl =# =rows|rnds|rounds even|straight|plain", ""},
 
