@@ -219,7 +219,7 @@ static bool says_how_often(const char *text)
            (strncmp(times, "\xC3\x97", 2) == 0 && isdigit((unsigned char)*words_skip_blanks(times + 2)));
 }
 
-/* Where a bracket is closed that a text begins with, or 0. */
+/* Where a bracket is closed that a text begins with, lines further on, too; or 0. */
 static size_t close_of(const char *text)
 {
     int open = 0;
