@@ -116,6 +116,17 @@ static bool is_of_both_ends(const struct said *said)
     return said->first && said->last && said->act && said->every;
 }
 
+/* Whether a row's head stands before a place on its line: `WS rows: `. */
+static bool is_behind_head(const char *text, size_t at)
+{
+    for (size_t i = words_line_start(text, at), n; i < at; i += n ? n : 1) {
+        n = words_length(text + i);
+        if (words_are_rows(text + i))
+            return true;
+    }
+    return false;
+}
+
 /* Whether a sentence goes on at a place: `st.` does not end it, nor what it has in brackets. */
 static bool goes_on(const char *text, size_t at, bool inside)
 {
@@ -129,12 +140,12 @@ size_t edge_stitches_length(const char *text, size_t at, enum edge_stitch *kind)
     bool named = name && (*name != ',' || words_is(words_skip_blanks(name + 1), "worked")), slips = false, inside = false;
     size_t n = 0;
 
-    if (words_row(from))
+    if (words_row(from) || (words_sign_before(text, at, " \t") == ':' && is_behind_head(text, at)))
         return 0;
     for (size_t word; n < WORDS_MARGIN && goes_on(text, at + n, inside); n += word ? word : 1) {
         inside = from[n] == '(' || (inside && from[n] != ')');
         word = words_length(from + n);
-        named |= word && name_length(from + n) && said.act && (said.first || said.every);
+        named |= word && name_length(from + n) && said.act && said.first && said.every;
         slips |= word && act_of(from + n) == SLIP;
         if (word)
             take_word(&said, from + n);
