@@ -9,6 +9,7 @@
 #include "lang/page/page_chart.h"
 #include "lang/page/page_sides.h"
 #include "lang/page/prose.h"
+#include "lang/page/prose_line.h"
 #include "lang/page/repeats.h"
 #include "lang/syntax.h"
 #include "lang/token_values.h"
@@ -161,7 +162,8 @@ bool scanner_is_text(struct scanner *scanner)
     struct parse *parse = scanner->parse;
     size_t at = (size_t)(words_skip_blanks(SCANNER_TEXT(scanner)) - parse->text);
 
-    return page_chart_line(parse->chart, scanner->at).source || named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at) || page_sides_line(parse->text + at);
+    return page_chart_line(parse->chart, scanner->at).source || named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at) || page_sides_line(parse->text + at) ||
+           (parse->facts.knitters && prose_line_is_abbreviation(parse->text + at));
 }
 
 bool scanner_explains(struct scanner *scanner)

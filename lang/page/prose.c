@@ -268,7 +268,8 @@ bool scanner_prose(struct scanner *scanner)
     int lines;
 
     scanner_looks_on(scanner);
-    if (prose_line_is_copyright(text) || (parse->facts.knitters && prose_line_is_rule(text)) || prose_line_is_explained(text))
+    if (prose_line_is_copyright(text) || (parse->facts.knitters && prose_line_is_rule(text)) || prose_line_is_explained(text) ||
+        (parse->facts.knitters && prose_line_is_abbreviation(text)))
         return true;
     if (again && !prose_reads(text, false))
         return false;

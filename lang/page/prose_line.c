@@ -413,6 +413,26 @@ bool prose_line_is_explained(const char *text)
     return words_length(meaning) > 0 && second > meaning + words_length(meaning) && isalnum((unsigned char)*second) && words_find(meaning, value, 4) < 0 && words_find(second, value, 4) < 0;
 }
 
+/* `CO  cast on`, `K - knit. P - purl`, `R = row`: an abbreviation before the word it stands for. */
+bool prose_line_is_abbreviation(const char *text)
+{
+    static const struct {
+        const char *brief, *word;
+    } table[] = {{"k", "knit|knits"}, {"p", "purl|purls"}, {"co", "cast"}, {"bo", "bind"}, {"st|sts", "stitch|stitches"}, {"rep|r", "repeat|repeats|row|round"}, {"rs", "right"},
+                 {"ws", "wrong"}, {"rnd|rnds", "round|rounds"}, {"patt|pat|patts", "pattern|patterns"}, {"beg", "beginning|begin"}, {"cont", "continue|continuing"}, {"rem", "remaining|remain"},
+                 {"foll", "following|follows|follow"}, {"alt", "alternate"}, {"pm", "place"}, {"sm", "slip"}, {"m|mk", "marker"}, {"tog", "together"}, {"inc", "increase|increasing"}, {"dec", "decrease|decreasing"}};
+    const char *behind = text + words_length(text), *meaning;
+
+    behind += strncmp(behind, "(s)", 3) == 0 ? 3 : *behind == '.';
+    meaning = behind + strspn(behind, " \t=:-");
+    if (meaning == behind || memchr(text, '{', words_line_length(text)) || strcspn(text, "0123456789") < words_line_length(text))
+        return false;
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (words_one_of(table[i].brief, text) && words_one_of(table[i].word, meaning))
+            return true;
+    return false;
+}
+
 /* ---- pages ---- */
 
 /* `let`, `swatch`, `gauge`, .. and no sentence that begins so. */
