@@ -7,6 +7,7 @@
 
 #include "lang/scanner.h"
 #include "lang/page/lengths.h"
+#include "lang/page/starred.h"
 #include "lang/page/words.h"
 
 /* A row's number as it is written; 0: it is not, or too large for one. */
@@ -457,7 +458,7 @@ struct again syntax_group(struct again again)
 {
     again.assumed = false;
     again.bracketed = true;
-    return syntax_starred((struct starred){1, 0}, again);
+    return syntax_starred((struct starred){STARRED_GROUP, 0}, again);
 }
 
 /* ---- what is not said, and what is taken ---- */

@@ -61,27 +61,29 @@ static bool is_one_row(const char *text)
     return repeated;
 }
 
+/* Whether one of the words a|b|c is among so many bytes. */
+static bool has_word(const char *text, size_t length, const char *list)
+{
+    for (size_t at = 0; at < length; at += words_length(text + at) ? words_length(text + at) : 1)
+        if (words_one_of(list, text + at))
+            return true;
+    return false;
+}
+
 /* `K2, P2 Rib`, `Pattern 2`: figures are a part of a name only beside such a word, and where no rows are counted. */
 static bool is_name_with_figures(const char *text, size_t length)
 {
-    bool named = false;
-
-    for (size_t at = 0; at < length; at += words_length(text + at) ? words_length(text + at) : 1) {
-        if (words_are_rows(text + at))
-            return false;
-        named |= words_one_of("rib|ribbing|stitch|pattern", text + at) > 0;
-    }
-    return named;
+    return has_word(text, length, "rib|ribbing|stitch|pattern") && !has_word(text, length, "row|rows|rnd|rnds|round|rounds");
 }
 
 /* `Border`, `BODY:`, and no more of the line: a heading that parts of a piece have. */
 static bool is_part(const char *line)
 {
     size_t length = strcspn(line, "(:\r\n");
-    bool part = false;
+    bool part = has_word(line, length, "band");
 
     for (size_t at = 0; at < length; at += words_length(line + at) ? words_length(line + at) : 1)
-        part |= words_are(line + at, WORDS_PART) || words_is(line + at, "band");
+        part |= words_are(line + at, WORDS_PART);
     return part && line[length] != '(' && prose_line_ends(line + length + (line[length] == ':'));
 }
 
@@ -118,16 +120,6 @@ static bool find_rows_below(const char *line, struct definition *found)
     return words_row(next) == 1 || found->stitches;
 }
 
-/* `Rib`: its wrong side is worked as the stitches appear. */
-static bool is_rib(const struct definition *name)
-{
-    bool rib = false;
-
-    for (size_t at = 0; at < name->length; at += words_length(name->text + at) ? words_length(name->text + at) : 1)
-        rib |= words_one_of("rib|ribbing", name->text + at) > 0;
-    return rib;
-}
-
 /* Behind `Rice Stitch (odd number of sts):`, where more is on the line; or NULL. */
 static const char *behind_name(const char *line)
 {
@@ -137,30 +129,32 @@ static const char *behind_name(const char *line)
     return *behind == ':' ? words_skip_blanks(behind + 1) : NULL;
 }
 
-/* Whether no blank line is between. */
-static bool is_next_line(const char *line, const char *below)
+/* Where stitches stand alone, on the line of their name or on the next; NULL: other rows do. */
+static const char *find_stitches(const char *line, const char *behind)
 {
-    const char *end = line + words_line_length(line);
+    const char *end = line + words_line_length(line), *below = definitions_next_line(line);
+    size_t breaks = strspn(end, "\r\n");
 
-    return end + strspn(end, "\r\n") - (*end == '\r') == end + 1 && *below;
+    if (behind && !prose_line_ends(behind))
+        return is_one_row(behind) ? behind : NULL;
+    return breaks == 1 + (*end == '\r') && is_one_row(below) ? below : NULL;
 }
 
-/* The rows on the line of their name, or stitches alone there or below. */
+/* The rows on the line of their name, or stitches without a head.  Those of `Rib` alone are not the same on both sides. */
 static bool find_rows_beside(const char *line, struct definition *found)
 {
-    const char *behind = behind_name(line), *all = behind ? behind_all_rows(behind) : NULL, *below = definitions_next_line(line);
+    const char *behind = behind_name(line);
 
     found->beside = true;
-    found->rows = line + 1;
-    if (behind && words_row(behind) == 1)
+    if (behind && words_row(behind) == 1) {
         found->rows = behind;
-    else if (all || (behind && !is_rib(found) && is_one_row(behind)))
-        found->stitches = all ? all : behind;
-    else if ((!behind || prose_line_ends(behind)) && is_next_line(line, below) && !is_rib(found) && is_one_row(below))
-        found->stitches = below;
-    else
-        return false;
-    return !found->part && (found->stitches ? found->stitches : found->rows) - line > (long)strlen(row_1);
+        return !found->part;
+    }
+    found->rows = line + 1;
+    found->stitches = behind ? behind_all_rows(behind) : NULL;
+    if (!found->stitches && !has_word(line, found->length, "rib|ribbing"))
+        found->stitches = find_stitches(line, behind);
+    return found->stitches && !found->part && found->stitches - line > (long)strlen(row_1);
 }
 
 struct definition definitions_read(const char *line)
@@ -178,15 +172,13 @@ struct definition definitions_read(const char *line)
 void definitions_put(const struct definition *definition, char *copy)
 {
     char *rows = copy + (definition->rows - definition->text), *stitches = definition->stitches ? copy + (definition->stitches - definition->text) : rows;
+    bool of_rounds = stitches - rows >= (long)strlen(round_1) && has_word(copy, (size_t)(stitches - copy), "rnd|rnds|round|rounds");
+    const char *head = of_rounds ? round_1 : row_1;
 
-    bool of_round = false;
-
-    for (const char *at = copy; at < stitches; at += words_length(at) ? words_length(at) : 1)
-        of_round |= words_one_of("rnd|rnds|round|rounds", at) > 0;
     for (char *at = definition->beside ? copy : rows; at < stitches; at++)
         *at = words_ends_line(*at) ? *at : ' ';
     if (definition->beside)
         *copy = '\n';
     if (definition->stitches)
-        memcpy(rows, of_round ? round_1 : row_1, strlen(of_round ? round_1 : row_1));
+        memcpy(rows, head, strlen(head));
 }

@@ -140,7 +140,7 @@ size_t edge_stitches_length(const char *text, size_t at, enum edge_stitch *kind)
     bool named = name && (*name != ',' || words_is(words_skip_blanks(name + 1), "worked")), slips = false, inside = false;
     size_t n = 0;
 
-    if (words_row(from) || (words_sign_before(text, at, " \t") == ':' && is_behind_head(text, at)))
+    if (!strchr("\n.:(", words_sign_before(text, at, " \t*-1")) || words_row(from) || (words_sign_before(text, at, " \t") == ':' && is_behind_head(text, at)))
         return 0;
     for (size_t word; n < WORDS_MARGIN && goes_on(text, at + n, inside); n += word ? word : 1) {
         inside = from[n] == '(' || (inside && from[n] != ')');
@@ -167,15 +167,14 @@ enum edge_stitch edge_stitches_read(const char *text, bool *used)
     enum edge_stitch kind = EDGE_GARTER, said;
 
     *used = false;
-    for (size_t at = 0, n; text[at]; at += n ? n : 1) {
+    for (size_t at = 0, n, length; text[at]; at += n ? n : 1) {
         n = text[at] == '#' ? words_line_length(text + at) : words_length(text + at);
         if (text[at] == '#' || !n || (at > 0 && isalnum((unsigned char)text[at - 1])))
             continue;
         *used |= name_length(text + at) && is_of_row(text, at, name_length(text + at));
-        if (strchr("\n.:(", words_sign_before(text, at, " \t*-1")) && edge_stitches_length(text, at, &said)) {
-            kind = said;
-            n = edge_stitches_length(text, at, &said);
-        }
+        length = edge_stitches_length(text, at, &said);
+        kind = length ? said : kind;
+        n = length ? length : n;
     }
     return kind;
 }

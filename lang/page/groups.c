@@ -75,16 +75,27 @@ size_t groups_said_again(const char *text, size_t at)
     return words_number(text + digits) == words_number(text + at + 2) ? n + 2 : 0;
 }
 
-size_t groups_close(const char *text)
+/* Where the bracket is closed that a text begins with, within so many bytes; or 0. */
+static size_t close_within(const char *text, size_t most)
 {
     int open = 0;
 
-    for (size_t at = 0; text[at] && !words_ends_line(text[at]); at++) {
+    for (size_t at = 0; text[at] && at < most; at++) {
         open += strchr("([{", text[at]) ? 1 : strchr(")]}", text[at]) ? -1 : 0;
         if (open == 0)
             return at;
     }
     return 0;
+}
+
+size_t groups_close(const char *text)
+{
+    return close_within(text, words_line_length(text));
+}
+
+size_t groups_close_below(const char *text)
+{
+    return close_within(text, WORDS_REACH);
 }
 
 bool groups_fill_row(const char *text, size_t close)

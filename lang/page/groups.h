@@ -19,6 +19,7 @@ size_t groups_said_again(const char *text, size_t at);
 /* Where the bracket is closed that a text begins with, on its line; whether `{(k1, p1) to last st, k1}`, closed there,
  * fills a row by itself. */
 size_t groups_close(const char *text);
+size_t groups_close_below(const char *text);    /* on its line, or on one of the next */
 bool groups_fill_row(const char *text, size_t close);
 
 /* Of `(k1, p1 to last 2 sts)`, closed there, how far it groups what is repeated: behind p1. */

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
- * A page's text in, the same with marks for its stars that say from where and to where something is worked again out.
+ * A page's text in, the same with marks for its stars, and its brackets around rows, that say from where and to where
+ * something is worked again out.
  * A star is a bullet, a bold word's or a row's own until a `Repeat from *` names it. */
 #include "lang/page/starred.h"
 
 #include <ctype.h>
 #include <string.h>
 
+#include "lang/page/groups.h"
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
 
@@ -210,7 +212,7 @@ static void forget_single(struct marks *marks)
 }
 
 /* `2 times`, `(twice)`, `x 3` */
-static bool says_how_often(const char *text)
+static bool is_so_often(const char *text)
 {
     const char *times = words_skip_blanks(text);
 
@@ -219,25 +221,12 @@ static bool says_how_often(const char *text)
            (strncmp(times, "\xC3\x97", 2) == 0 && isdigit((unsigned char)*words_skip_blanks(times + 2)));
 }
 
-/* Where a bracket is closed that a text begins with, lines further on, too; or 0. */
-static size_t close_of(const char *text)
-{
-    int open = 0;
-
-    for (size_t at = 0; text[at] && at < WORDS_REACH; at++) {
-        open += strchr("([", text[at]) ? 1 : strchr(")]", text[at]) ? -1 : 0;
-        if (open == 0)
-            return at;
-    }
-    return 0;
-}
-
 /* Whether rows are worked, not again. */
 static bool rows_follow(const char *text)
 {
     const char *behind = words_behind_number(text);
 
-    return behind ? words_are_rows(behind) : work_follows(text) && !words_are(text, WORDS_AGAIN) && !(words_is(text, "work") && words_row(words_next(text)));
+    return behind ? words_are_rows(behind) : work_follows(text) && !words_are(text, WORDS_AGAIN | WORDS_CAST) && !(words_is(text, "work") && words_row(words_next(text)));
 }
 
 /* Where `[Work 2 rows in st st, knit 4 rows] twice` is closed, which groups rows; 0: it groups stitches, or is a remark.
@@ -247,8 +236,8 @@ static size_t close_of_rows(const char *text, size_t at, size_t *verb)
     size_t close, work = words_before(text, at);
 
     *verb = work < at && words_is(text + work, "work") ? work : at;
-    close = begins(text, *verb) || words_sign_before(text, *verb, " \t") == ',' ? close_of(text + at) : 0;
-    if (!close || !says_how_often(text + at + close + 1) || !rows_follow(text + at + 1 + strspn(text + at + 1, " \t\r\n")))
+    close = begins(text, *verb) || words_sign_before(text, *verb, " \t") == ',' ? groups_close_below(text + at) : 0;
+    if (!close || !is_so_often(text + at + close + 1) || !rows_follow(text + at + 1 + strspn(text + at + 1, " \t\r\n")))
         return 0;
     return at + close;
 }
@@ -263,16 +252,15 @@ static void put_stop(char *text, size_t at)
 /* Puts its marks: the rows behind the first are worked so often in all. */
 static void put_group(char *text, size_t verb, size_t at, size_t close)
 {
-    size_t first = verb;
-
     for (size_t i = at; i < close; i++)
         put_stop(text, i);
     put_stop(text, close + strcspn(text + close, ",.;\r\n"));
-    while (verb > 0 && strchr(" \t,", text[verb - 1]))
+    memset(text + verb, ' ', at - verb);
+    while (verb > 0 && strchr(" \t", text[verb - 1]))
         verb--;
-    text[verb] = text[verb] == ',' ? ';' : text[verb];
-    memset(text + first, ' ', at - first);
-    text[at] = '\1';
+    if (verb > 0 && text[verb - 1] == ',')
+        text[verb - 1] = ';';
+    text[at] = STARRED_GROUP;
     text[close] = STARRED_GROUP_END;
     while (strchr(" .;,", text[--close]))
         text[close] = ' ';

@@ -7,11 +7,11 @@
 
 #include "lang/ast.h"
 
-/* The byte for the end of rows in brackets, `[Knit 2 rows, purl 2 rows] twice`. */
-enum { STARRED_GROUP_END = 4 };
+/* The bytes for the brackets around rows, `[Knit 2 rows, purl 2 rows] twice`. */
+enum { STARRED_GROUP = 4, STARRED_GROUP_END };
 
 /* The text, in as many bytes, with the byte 1, 2 or 3 for as many stars of a mark, on a line of its own, and of a
- * `Repeat from **` that names one; for brackets around rows 1 and STARRED_GROUP_END. */
+ * `Repeat from **` that names one. */
 const char *starred_plain(struct arena *, const char *text, size_t size);
 
 /* The stars of a mark at a place of that text; 0: none. `source`: the text as it was. */

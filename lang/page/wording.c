@@ -498,10 +498,8 @@ static void put_yarn(struct wording *w, size_t at)
 static void put_edges(struct wording *w, size_t at)
 {
     enum edge_stitch kind;
-    size_t length = 0;
+    size_t length = isalnum((unsigned char)w->text[at]) ? edge_stitches_length(w->text, at, &kind) : 0;
 
-    if (isalnum((unsigned char)w->text[at]) && (begins_sentence(w->text, at) || strchr("(:", words_sign_before(w->text, at, " \t"))))
-        length = edge_stitches_length(w->text, at, &kind);
     if (length && kind != EDGE_UNCLEAR)
         put_blanks(w, at, length, "");
 }

@@ -100,11 +100,11 @@ static bool work_row(struct row_list *list, struct row_text *text, struct marked
 }
 
 /* Goes on with the garter of a row worked on a side, `edge st, ..`, in one that is worked as the stitches appear. */
-static void keep_garter(stitch_id *to, const stitch_id *worked, int width, enum side of, enum side side)
+static void keep_garter(stitch_id *to, const stitch_id *worked, int width, enum side worked_on, enum side side)
 {
     for (int x = 0; x < width; x++)
         if (worked[x] == STITCH_GARTER)
-            to[of == SIDE_RS ? width - 1 - x : x] = side == SIDE_RS ? STITCH_K : STITCH_P;
+            to[worked_on == SIDE_RS ? width - 1 - x : x] = side == SIDE_RS ? STITCH_K : STITCH_P;
 }
 
 const struct grid *rows_grid(struct row_list *list, int width, int height, enum width_from from,
@@ -115,8 +115,8 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
     struct grid *g = grid_new(list->arena, width, rows, &cell);
     struct markers markers = {0};
     const struct row_text *before = NULL;
-    enum side of = SIDE_RS;         /* the side that the last of them were worked on, if a row of its own stitches is the last */
-    bool good = true, shaped = false, own = false;
+    enum side worked_on = SIDE_RS;
+    bool good = true, shaped = false, told = false;     /* told: `worked` are the stitches of the last row that was not worked as they appear */
 
     for (int i = 0; i < list->norder; i++)
         memset(list->order[i]->drawn, 0, sizeof list->order[i]->drawn);
@@ -145,11 +145,11 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
                 to[x] = ws[to[x - width]];
         } else if (text->as_below && !is_between(text)) {
             memcpy(to, to - width, (size_t)width);
-            if (own && !list->round)
-                keep_garter(to, worked, width, of, side);
+            if (told && !list->round)
+                keep_garter(to, worked, width, worked_on, side);
         } else if (text->drawn[side] && !text->marked) {
             memcpy(to, cell + (size_t)(text->drawn[side] - 1) * (size_t)width, (size_t)width);
-            own = false;
+            told = false;
         } else {
             struct row_text here = *text;
 
@@ -159,8 +159,8 @@ const struct grid *rows_grid(struct row_list *list, int width, int height, enum 
             } else if (i == 0 && row_draw_asks_below(worked, width)) {
                 good = nothing_below(list, text);
             } else if (good) {
-                own = true;
-                of = side;
+                told = true;
+                worked_on = side;
                 text->drawn[side] = row_draw(to, worked, (struct row_place){width, side, list->round, i == 0, list->front && !text->on_ws, ws}) ? i + 1 : 0;
             }
         }
