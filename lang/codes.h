@@ -102,7 +102,8 @@
     X(CODE_LENGTH,          913, "a length, of so many rows by the stated gauge") \
     X(CODE_ROWS_ABOVE,      914, "more rows that are said to be the pattern than are above") \
     X(CODE_WRONG_SIDE,      915, "a row 1 that falls on the wrong side, with no side said of it") \
-    X(CODE_EDGES,           916, "edges that are kept beside the rows below")
+    X(CODE_EDGES,           916, "edges that are kept beside the rows below") \
+    X(CODE_ALL_GIVEN,       917, "a text for all rows of a kind, each of which is given")
 
 enum diag_code {
 #define X(name, number, about) name = number,

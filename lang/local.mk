@@ -25,7 +25,7 @@ liblang_a_SOURCES = \
     lang/page/prose_parts.c lang/page/prose_rows.c lang/page/remarks.h lang/page/remarks.c lang/page/repeats.h \
     lang/page/repeats.c lang/page/ribs.h lang/page/ribs.c lang/page/row_phrases.h lang/page/row_phrases.c \
     lang/page/rows_go_on.h lang/page/rows_go_on.c lang/page/rows_told.h lang/page/rows_told.c lang/page/run_on.h \
-    lang/page/run_on.c lang/page/signs.h lang/page/signs.c lang/page/starred.h lang/page/starred.c \
+    lang/page/run_on.c lang/page/sided_rows.h lang/page/sided_rows.c lang/page/signs.h lang/page/signs.c lang/page/starred.h lang/page/starred.c \
     lang/page/sums.h lang/page/sums.c lang/page/turns.h lang/page/turns.c lang/page/turns_books.c \
     lang/page/wording.h lang/page/wording.c lang/page/words.h lang/page/words.c lang/page/yarns.h \
     lang/page/yarns.c \

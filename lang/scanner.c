@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "lang/page/explained.h"
+#include "lang/page/kinds.h"
 #include "lang/page/page_chart.h"
 #include "lang/page/page_sides.h"
 #include "lang/page/prose.h"
@@ -163,6 +164,7 @@ bool scanner_is_text(struct scanner *scanner)
     size_t at = (size_t)(words_skip_blanks(SCANNER_TEXT(scanner)) - parse->text);
 
     return page_chart_line(parse->chart, scanner->at).source || named_is_heading(&parse->named, at) || ribs_describes(&parse->ribs, parse->text, at) || page_sides_line(parse->text + at) ||
+           kinds_given(parse->text + at) ||
            (parse->facts.knitters && prose_line_is_abbreviation(parse->text + at));
 }
 

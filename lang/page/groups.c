@@ -125,19 +125,29 @@ static bool says_how_far(const char *text, const char *end)
     return to;
 }
 
+/* Whether so far stands `3 times`, `twice`, and no more. */
+static bool says_how_often(const char *text, const char *end)
+{
+    const char *number = words_behind_number(text), *times = number ? number : text;
+
+    return words_one_of(number ? "times|time|x|more times" : "twice|thrice", times) && words_skip_any(times, "times|time|x|more|twice|thrice") == end;
+}
+
 size_t groups_repeated(const char *text, size_t close)
 {
     static const char *const times[] = {"times", "time", "twice", "thrice", "x", "more"};
-    const char *behind = words_skip_blanks(text + close + 1), *number = words_behind_number(behind);
-    size_t at = 1;
+    const char *behind = words_skip_blanks(text + close + 1), *number = words_behind_number(behind), *rest;
+    size_t at = 1, again;
 
-    while (at < close && !words_one_of("to|until|till|across", text + at) && !strchr("([{*", text[at]))
+    while (at < close && !words_one_of("to|until|till|across|rep|repeat|repeated", text + at) && !strchr("([{*", text[at]))
         at += words_length(text + at) ? words_length(text + at) : 1;
-    if (at == close || !says_how_far(text + at, text + close) || words_find(number ? number : behind, times, 6) >= 0)
+    again = words_one_of("rep|repeat|repeated", text + at);
+    rest = words_skip_blanks(text + at + again);
+    if (at == close || words_find(number ? number : behind, times, 6) >= 0 || !(says_how_far(rest, text + close) || (again && says_how_often(rest, text + close))))
         return 0;
-    while (at > 1 && strchr(" ,", text[at - 1]))
+    while (at > 1 && strchr(" ,;", text[at - 1]))
         at--;
-    return isdigit((unsigned char)text[at - 1]) && strchr(" ,", text[at]) ? at : 0;
+    return isdigit((unsigned char)text[at - 1]) && strchr(" ,;", text[at]) ? at : 0;
 }
 
 size_t groups_of_star(const char *text, size_t at)

@@ -22,7 +22,7 @@ size_t groups_close(const char *text);
 size_t groups_close_below(const char *text);    /* on its line, or on one of the next */
 bool groups_fill_row(const char *text, size_t close);
 
-/* Of `(k1, p1 to last 2 sts)`, closed there, how far it groups what is repeated: behind p1. */
+/* Of `(k1, p1 to last 2 sts)`, `(k1, p1; rep 3 times)`, closed there, how far it groups what is repeated: behind p1. */
 size_t groups_repeated(const char *text, size_t close);
 
 /* Of `*k2, p2 (rep from * to last 2 sts)`, opened there, where the bracket is closed; 0: it groups stitches. */

@@ -149,6 +149,11 @@ static size_t bind_off_length(const char *text)
     return (size_t)(bind - text);
 }
 
+int heads_bound_off(const char *text)
+{
+    return bind_off_length(text) ? words_row(text) : 0;
+}
+
 /* Words of headings behind which no work is meant, though they name some. */
 static bool is_aside(const char *text, size_t n)
 {

@@ -18,6 +18,9 @@ size_t heads_label(const char *text);
 /* How long `Cast on:` alone on its line is, with the line end where `20 sts` follows behind it; 0: another line. */
 size_t heads_cast_on(const char *text);
 
+/* The number of the row `Row 58: Bind off`, `Row 8 (WS): purl and bind off`; 0: another line. */
+int heads_bound_off(const char *text);
+
 /* How long ` a multiple of 4 (I used 24)` behind `Cast on` is, and where the number stands; or 0. */
 size_t heads_example(const char *text, size_t *number);
 

@@ -10,12 +10,20 @@
 #include "lang/page/prose.h"
 #include "lang/page/words.h"
 
+/* Behind `(even)`, which names the same rows otherwise. */
+static const char *behind_bracket(const char *text)
+{
+    bool kind = *text == '(' && words_one_of("odd|even|rs|ws|right side|wrong side", text + 1);
+
+    return kind ? words_skip_blanks(text + strcspn(text, ")\r\n") + 1) : text;
+}
+
 /* Behind `wrong side (even) rows`; NULL: another text. *head: what these rows are called. */
 static const char *behind_kind(const char *text, const char **head)
 {
     static const struct { const char *words, *row, *round; } kinds[] = {
         {"even-numbered|even numbered|even", "even rows", "even rnds"}, {"odd-numbered|odd numbered|odd|uneven", "odd rows", "odd rnds"},
-        {"ws|wrong-side|wrong side", "WS rows", NULL}, {"rs|right-side|right side", "RS rows", NULL},
+        {"ws|wrong-side|wrong side|return", "WS rows", NULL}, {"rs|right-side|right side", "RS rows", NULL},
         {"every other|all other|other|every alternate|alternate|alternating|every second", "every other row", "every other rnd"}};
     bool round;
 
@@ -27,8 +35,7 @@ static const char *behind_kind(const char *text, const char **head)
         if (!n)
             continue;
         rows = words_skip_blanks(rows + n);
-        if (*rows == '(' && words_one_of("odd|even|rs|ws|right side|wrong side", rows + 1))
-            rows = words_skip_blanks(rows + strcspn(rows, ")\r\n") + 1);
+        rows = behind_bracket(rows);
         round = words_one_of("round|rounds|rnd|rnds", rows) > 0;
         *head = round ? kinds[i].round : kinds[i].row;
         return words_are_rows(rows) && *head ? rows + words_length(rows) : NULL;
@@ -48,34 +55,49 @@ static bool ends(const char *text)
     return prose_line_ends(text) || strchr(".,;)", *words_skip_blanks(text));
 }
 
-/* `Purl back on all WS rows` */
+/* `Purl back on all WS rows`; `Work all WS rows` before `as the sts appear`, which stays. */
 static size_t says_stitch_first(const char *text, const char **head, char *stitch)
 {
     size_t n;
     const char *behind;
 
     *stitch = stitch_of(text, &n);
-    if (!*stitch || text[n] != ' ')
+    n = *stitch ? n : words_one_of("work", text);
+    if (!n || text[n] != ' ')
         return 0;
     behind = behind_kind(words_skip_any(text + n, "back|on|in|across|for"), head);
-    return behind && ends(behind) ? (size_t)(behind - text) : 0;
+    return behind && (*stitch ? ends(behind) : words_one_of("as the|as they|as sts|as stitches", words_skip_blanks(behind)) > 0) ? (size_t)(behind - text) : 0;
 }
 
 /* `The even rows are purled`, `Even rows - purl`; up to a list of stitches, where one stands: `WS rows - k2, p2`. */
 static size_t says_rows_first(const char *text, bool bracket, const char **head, char *stitch)
 {
-    const char *rows = behind_kind(text, head), *behind = rows ? words_skip_blanks(rows) : NULL, *dash;
+    static const char written[] = "and|are|is|not|given|shown|written|out|charted|listed|described|printed";
+    const char *kind = words_skip_any(text, "on|in|for"), *rows = behind_kind(kind, head), *behind = rows ? words_skip_blanks(rows) : NULL, *dash, *end;
+    bool named = kind > text || words_one_of("return", kind);
     size_t n;
 
-    if (!behind || (*behind == ':' && !bracket))
+    if (!behind)
         return 0;
+    if (strchr("RW", **head) && words_one_of("odd|even", behind + (*behind == '('))) {
+        named |= *behind == '(';
+        behind = behind_bracket(behind);
+    }
+    if (*behind == ':' && !bracket && !named)
+        return 0;
+    if (words_one_of("are not|not", behind))
+        behind = words_skip_any(behind, written);
     dash = behind + strspn(behind, "-,=:\xE2\x80\x93\x94");
+    named |= dash > words_skip_blanks(rows);
     behind = words_skip_any(dash, "are|is|should|must|will|to|be|get|all|always|just");
     *stitch = stitch_of(behind, &n);
-    if (*stitch && (ends(behind + n) || words_one_of("across|all|every|to|plain", words_skip_blanks(behind + n))))
-        return (size_t)(behind + n - text);
+    end = behind + n;
+    if (*stitch && words_one_of("and not|and are not", words_skip_blanks(end)))
+        end = words_skip_any(end, written);
+    if (*stitch && (ends(end) || words_one_of("across|all|every|to|plain", words_skip_blanks(end))))
+        return (size_t)(end - text);
     *stitch = 0;
-    return dash > words_skip_blanks(rows) && behind == words_skip_blanks(dash) && (prose_stitches_follow(behind) || words_one_of("knit the|purl the", behind)) ? (size_t)(behind - text) : 0;
+    return named && behind == words_skip_blanks(dash) && (prose_stitches_follow(behind) || words_one_of("knit the|purl the|work", behind)) ? (size_t)(behind - text) : 0;
 }
 
 /* Whether a colon ends `Note:`. */
@@ -113,6 +135,38 @@ static size_t numbered_length(const char *text, char plain[static SIGNS_PLAIN])
         return 0;
     snprintf(plain, SIGNS_PLAIN, "%.*s:%c", (int)(end - rows), rows, stitch);
     return (size_t)(end - text);
+}
+
+size_t kinds_added(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    size_t close = strcspn(text + at, ")\r\n");
+    const char *every = text + at + 1, *rows = words_skip_any(every, "and|every|each|all|following|foll|other|alternate|alt|second");
+
+    if (text[at + close] != ')' || close + 2 > SIGNS_PLAIN || !words_one_of("and every|and each|and all|and following|and foll|and alt|and alternate", every) || !words_are_rows(rows) || words_next(rows) != text + at + close)
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, " %.*s", (int)close - 1, every);
+    return close + 1;
+}
+
+size_t kinds_given(const char *text)
+{
+    const char *head, *rows = behind_kind(words_skip_any(text, "only|just|the"), &head), *verb = rows ? words_skip_any(rows, "are|have been") : NULL;
+    const char *given = rows ? words_skip_any(verb, "only|all") : NULL, *end;
+
+    if (!rows || verb == words_skip_blanks(rows) || !words_one_of("given|written|shown|charted|listed|described|printed", given))
+        return 0;
+    end = words_skip_any(words_next(given), "out|here|below|in|on|this|the|pattern|chart|instructions");
+    return prose_line_ends(end) || strchr(".,;", *end) ? (size_t)(end - text) : 0;
+}
+
+size_t kinds_given_before(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    size_t n = strchr(".;:(\r\n", words_sign_before(text, at, " \t")) ? kinds_given(text + at) : 0;
+
+    if (!n || n + 2 > SIGNS_PLAIN || prose_line_ends(text + at + n + 1))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, "%.*s\n", (int)n, text + at);
+    return n + 1;
 }
 
 size_t kinds_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])

@@ -11,4 +11,11 @@
  * and the stitch: `even rows:p`, `WS rows:`. 0: there is none. */
 size_t kinds_length(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
 
+/* Of `(and every other row)` behind a row's number; plainly without its brackets. */
+size_t kinds_added(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
+/* How long `Only RS rows are given` is, which asks for no work; or 0. Before what follows it ends its line, plainly. */
+size_t kinds_given(const char *text);
+size_t kinds_given_before(const char *text, size_t at, char plain[static SIGNS_PLAIN]);
+
 #endif

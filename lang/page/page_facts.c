@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "lang/page/heads.h"
 #include "lang/page/lengths.h"
 #include "lang/page/page_sides.h"
 #include "lang/page/prose.h"
@@ -215,6 +216,21 @@ static size_t find_sizes(const char *text, int *n)
     return bracket;
 }
 
+/* ---- the end ---- */
+
+/* The number of the last `Row 58: bind off`; 0: there is none. */
+static int find_bound_off(const char *text)
+{
+    int number = 0, found;
+
+    for (size_t at = 0; text[at]; at += text[at] ? 1 : 0) {
+        found = heads_bound_off(text + at + strspn(text + at, " \t*-"));
+        number = found ? found : number;
+        at += words_line_length(text + at);
+    }
+    return number;
+}
+
 struct page_facts page_facts_read(const char *text, size_t size)
 {
     struct page_facts facts = {.rounds = is_joined(text)};
@@ -228,6 +244,7 @@ struct page_facts page_facts_read(const char *text, size_t size)
     facts.circle = facts.rounds || facts.loom ? 0 : find_circle(text);
     facts.machine = facts.rounds ? 0 : find_machine(text);
     facts.sizes = find_sizes(text, &facts.nsizes);
+    facts.bound_off = find_bound_off(text);
     facts.edge = edge_stitches_read(text, &facts.edges);
     return facts;
 }

@@ -20,6 +20,7 @@ struct page_facts {
     size_t    machine;      /* behind the word of a knitting machine; 0: no word of one */
     size_t    sizes;        /* where the cast-on names further sizes, `20 (26, 30)`, */
     int       nsizes;       /* so many of them; 0: it names none */
+    int       bound_off;    /* the number of the row that binds off; 0: it has none */
     bool      edges;        /* rows name edge stitches, `edge st`, */
     enum edge_stitch edge;  /* worked so */
 };

@@ -33,32 +33,43 @@ size_t row_phrases_star(const char *text, size_t at, char plain[static SIGNS_PLA
     return strlen(plain) <= close - at ? close - at : 0;
 }
 
-/* `k1`, `purl 2`: its bytes; or 0. */
-static size_t stitch_length(const char *text)
+/* `k1`, `purl 2`, `knit one stitch`: its bytes, and how many; or 0. */
+static size_t stitch_length(const char *text, int *number)
 {
-    size_t n = words_are(text, WORDS_PLAIN) ? words_length(text) : 0;
+    const char *digits = words_are(text, WORDS_PLAIN) ? words_skip_blanks(text + words_length(text)) : "", *end;
 
-    n += n ? strspn(text + n, " ") : 0;
-    return n && isdigit((unsigned char)text[n]) ? n + strspn(text + n, "0123456789") : 0;
+    *number = words_number(digits);
+    end = words_behind_number(digits);
+    if (*number < 1 || !end)
+        return 0;
+    if (words_are_stitches(end))
+        return (size_t)(end - text) + words_length(end);
+    return (size_t)(digits - text) + (words_length(digits) ? words_length(digits) : strspn(digits, "0123456789"));
 }
 
 size_t row_phrases_alternate(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    static const char *const words[] = {"alternate", "alternating"}, *const joins[] = {"and", "with"};
-    size_t first = words_find(text + at, words, 2) >= 0 ? at + words_length(text + at) : at, end, second;
-    bool ends;
+    static const char *const words[] = {"alternate", "alternating", "alternately"}, *const joins[] = {"and", "with"};
+    bool before = words_find(text + at, words, 2) >= 0;
+    size_t first = before ? (size_t)(words_next(text + at) - text) : at, end, second;
+    int n, m;
 
-    first += strspn(text + first, " ");
-    end = first + stitch_length(text + first);
+    end = first + stitch_length(text + first, &n);
     second = end + strspn(text + end, " ,&");
     second += words_find(text + second, joins, 2) >= 0 ? words_length(text + second) : 0;
     second += strspn(text + second, " ");
-    if (first == at || end == first || second == end || !stitch_length(text + second) || !remarks_in_row(text, at))
+    if (end == first || second == end || !stitch_length(text + second, &m) || !remarks_in_row(text, at))
         return 0;
-    ends = prose_line_ends(text + second + stitch_length(text + second));
-    snprintf(plain, SIGNS_PLAIN, ends ? "*%.*s,%.*s rep" : "(%.*s,%.*s)", (int)(end - first), text + first, (int)stitch_length(text + second), text + second);
-    end = second + stitch_length(text + second) - at;
-    return strlen(plain) + 1 < SIGNS_PLAIN && strlen(plain) <= end ? end : 0;
+    end = second + stitch_length(text + second, &m);
+    if (!before) {
+        size_t word = end + strspn(text + end, " ,");
+
+        if (words_find(text + word, words, 3) < 0 || words_line_has_sign(text + words_line_start(text, at), "*"))
+            return 0;
+        end = word + words_length(text + word);
+    }
+    snprintf(plain, SIGNS_PLAIN, prose_line_ends(text + end) ? "*%c%d,%c%d rep" : "(%c%d,%c%d)", text[first], n, text[second], m);
+    return strlen(plain) <= end - at ? end - at : 0;
 }
 
 /* `knit on the right side`, `K on RS rows`: its bytes, the stitch and the side in small letters; or 0. */

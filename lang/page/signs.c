@@ -22,6 +22,7 @@
 #include "lang/page/row_phrases.h"
 #include "lang/page/rows_go_on.h"
 #include "lang/page/rows_told.h"
+#include "lang/page/sided_rows.h"
 #include "lang/page/sums.h"
 #include "lang/page/words.h"
 
@@ -499,9 +500,10 @@ static const struct sign {
     {"rRpPwW", true, .says = translated_length},
     {"sSaAlLrRwWdDiItTeE", true, .says = row_phrases_previous},
     {"kKpP", true, .says = dashed_length},
+    {"kKpPwWbBsSoO1aAtTnN", true, .says = sided_rows_length},
     {"(", false, .is = is_side_between, 4, ""},
     {"(", false, .says = row_phrases_star},
-    {"aA", true, .says = row_phrases_alternate},
+    {"aAkKpP", true, .says = row_phrases_alternate},
     {"kKpP", true, .says = row_phrases_sided},
     {":)-.", false, .says = rows_go_on_length},
     {"sSgG", true, .says = fabrics_short},
@@ -512,6 +514,8 @@ static const struct sign {
     {"cCsSbBpP", true, .says = fabrics_changed},
     {"kKpPaAeEoOuUwWrRtT", true, .says = kinds_length},
     {"(", false, .says = kinds_length},
+    {"(", false, .says = kinds_added},
+    {"oOtTaArRwWeE", true, .says = kinds_given_before},
     {"rRtTyYfFsS0123456789aA", true, .says = rows_told_length},
     {"eEfFcCbBsStTaA", true, .says = framing_length},
     {",", false, .says = framing_length},

@@ -119,6 +119,9 @@ const struct phrase turns_of_pages[] = {
     {"=times so that? there|you|we are|have # rows|rounds|rnds in? total|all", "in # rows"},
 
     {"alternately|alternating =to|across|around", ""},
+    {"alternately|alternating =,|; =rep|repeat", ""},
+    {"work =from|between =the? =*|stars", "rep"},
+    {"=* ,|;? but|only =end|ending|ends", ""},
     {"=rows|rounds|rnds =# =and|& =# alternately|alternating", ""},
     {"and continue =to|across|around", "rep"},
     {"=repeat|rep all =# =rows|rounds|rnds", "the"},
@@ -128,6 +131,8 @@ const struct phrase turns_of_pages[] = {
 
     /* whole rows */
     {"work all? the? sts|stitches as they appear|come|lie", "k k st p p st"},
+    {"work each|every st|stitch as it appears|comes|lies|presents itself?", "k k st p p st"},
+    {"work as the? sts|stitches|they appear|come|lie|face|present you|themselves?", "k k st p p st"},
     {"work all? the? sts|stitches as they face|present you|themselves", "k k st p p st"},
     {"work all? the? sts|stitches as set|established|est", "k k st p p st"},
     {"@ a =row|round|rnd", "1"},

@@ -78,7 +78,7 @@ const struct phrase turns_of_books[] = {
     {"purl|p over purl|p|purls and|, k|knit over knit|k|knits", "k k st p p st"},
     {"knit|k over purl|p|purls and|, p|purl over knit|k|knits", "k p st p k st"},
     {"purl|p over knit|k|knits and|, k|knit over purl|p|purls", "k p st p k st"},
-    {"as the sts|stitches face|appear|come|present you|themselves?", "k k st p p st"},
+    {"as the? sts|stitches face|appear|come|present you|themselves?", "k k st p p st"},
     {"as facing", "k ks p ps"},
 
     /* refused by their names */

@@ -117,16 +117,17 @@ static void put_blanks(struct wording *w, size_t at, size_t length, const char *
     memcpy(text, plain, strlen(plain));
 }
 
-/* How long `k2, p3, ` is before a further stitch with its figure: no sign and no phrase begins in it. */
+/* How long `k2, p3, ` is before a further stitch with its figure, or before the two of `k1, p1 alternately`: no sign and no phrase begins in it. */
 static size_t stitches_length(const char *text)
 {
-    size_t length = 0, at = 0;
+    size_t pair = 0, length = 0, at = 0;
 
     for (size_t n; (n = words_stitch_length(text + at)) > 0; at += words_gap_length(text + at)) {
+        pair = length;
         length = at;
         at += n;
     }
-    return length;
+    return words_one_of("alternately|alternating", text + at) ? pair : length;
 }
 
 /* Puts a book's marks, and then its words, plainly. */

@@ -63,6 +63,7 @@ struct row_list {
     enum side row_1; /* the side of row 1 by what the page says of its rows, or */
     bool begins;                    /* that of the first row worked, */
     bool counts_on;                 /* rows that were worked again have the numbers before later ones, */
+    int bound_off;                  /* the number of the row that binds off; 0: it has none, */
     bool front;                     /* and that they are a loom's: all are worked from the front */
     struct part *part;              /* those before the one above */
     bool describes;                 /* each part is a pattern of its own, not worked yet, */

@@ -79,6 +79,7 @@ bool row_list_append(struct row_list *list, struct row_text *text)
     }
     list->order = row_list_grown(list, list->order, &list->room, list->norder + 1);
     list->order[list->norder++] = text;
+    text->worked = true;
     return true;
 }
 
@@ -167,13 +168,18 @@ void row_list_doubt_side(struct row_list *list, struct row_text *const *text, in
     }
 }
 
-/* Rows of one text for all WS rows end with a WS row; not where the last of these are written out: `Rows 56-61: garter`. */
+/* Rows of one text for all WS rows end with a WS row, or with the one before `Row 58: bind off`; not where the last of
+ * these are written out: `Rows 56-61: garter`. */
 static bool ends_filled(const struct row_list *list, int n)
 {
-    int before = list->start == SIDE_WS ? list->norder + list->norder % 2 : list->norder;
+    int before = list->start == SIDE_WS ? list->norder + list->norder % 2 : list->norder, next = list->first + n;
     bool filled = false;
 
-    if (!n || (before + n) % 2 == 0 || !filler_for(list, list->first + n, row_list_side(list, list->norder + n)))
+    if (!n || !filler_for(list, next, row_list_side(list, list->norder + n)))
+        return false;
+    if (list->bound_off == next || list->bound_off == next + 1)
+        return list->bound_off > next;
+    if ((before + n) % 2 == 0)
         return false;
     for (int i = 0; i < n; i++)
         filled |= !list->pending[i];
@@ -249,9 +255,48 @@ void rows_add_next(struct row_list *list, struct row_text *text)
     }
 }
 
+static bool is_same_work(const struct work *a, const struct work *b)
+{
+    for (; a && b; a = a->next, b = b->next) {
+        if (a->nruns != b->nruns || a->until != b->until || a->n != b->n || !is_same_work(a->child, b->child))
+            return false;
+        for (int i = 0; i < a->nruns; i++)
+            if (a->run[i].length != b->run[i].length || a->run[i].stitch != b->run[i].stitch)
+                return false;
+    }
+    return a == b;
+}
+
+/* The first row worked that has a number and is of the kind a text stands for; or NULL. */
+static const struct row_text *first_of_kind(const struct row_list *list, const struct filler *filler)
+{
+    for (int i = 0; i < list->norder; i++)
+        if (list->order[i]->label && fills(filler, list->order[i]->label, row_list_side(list, i)))
+            return list->order[i];
+    return NULL;
+}
+
+/* Warns of a text for all WS rows, say, that none was left to, where the first of these is another. */
+static void doubt_filler(struct row_list *list)
+{
+    const struct filler *filler = list->filler;
+    const struct row_text *given;
+
+    while (filler && filler->text->worked)
+        filler = filler->next;
+    given = filler ? first_of_kind(list, filler) : NULL;
+    if (!given || is_same_work(given->work, filler->text->work))
+        return;
+    diag_warning(list->diag, CODE_ALL_GIVEN, filler->text->head, "no row is left for this text: each of its kind is given");
+    diag_note(list->diag, given->head, "this is the first of them");
+    diag_hint(list->diag, "a row that comes before them is a set-up row: `Set-up row (WS): knit`");
+}
+
 bool rows_finish(struct row_list *list)
 {
     rows_work(list);
+    if (!list->failed)
+        doubt_filler(list);
     if (!list->start && list->begins && !list->round)
         list->start = list->row_1;
     return !list->failed;

@@ -21,6 +21,7 @@ void rows_of_page(struct row_list *list, const struct page_facts *facts)
 {
     list->row_1 = facts->first;
     list->begins = facts->begins;
+    list->bound_off = facts->bound_off;
     list->front = facts->pegs;
 }
 

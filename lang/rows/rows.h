@@ -80,6 +80,7 @@ struct row_text {
     bool         failed;        /* an error was reported: it only takes its place */
     bool         shaped;        /* for a stitch that was refused: how many there are behind it is not known */
     bool         seen;
+    bool         worked;        /* at least once */
     int          drawn[3];      /* 1 + the grid row that shows it, by side; 0: none */
 };
 
