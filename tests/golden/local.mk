@@ -35,7 +35,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/cases.awk tests/golden/books.txt \
     tests/golden/web.txt tests/golden/ways.txt \
     tests/golden/stitches.txt \
-    tests/golden/binary_file.knit \
+    tests/golden/all_given.knit tests/golden/all_given.expected tests/golden/binary_file.knit \
     tests/golden/blocks.knit \
     tests/golden/characters.knit \
     tests/golden/circle.knit \
