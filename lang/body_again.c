@@ -182,6 +182,15 @@ static void warn_since_when(struct eval *eval, const struct stmt *stmt, const st
     diag_hint(eval->diag, total ? "`until piece has %lld rows` counts all" : "`for a total of %lld rows` counts these alone", n);
 }
 
+/* `Repeat these 2 rows for 12 rows`, right behind them: whether they are among the 12 is not said. */
+static void warn_more_rows(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body, struct row_texts texts, long long n)
+{
+    if (again->kind != AGAIN_ROWS || again->more || again->which == AGAIN_GO_ON || again->which == AGAIN_STARRED || !rows_just_worked(body->rows, texts))
+        return;
+    diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows above are among the %lld is not said: they are not", n);
+    diag_hint(eval->diag, "`for %lld more rows` says it; `for a total of %lld rows` counts those above", n, n);
+}
+
 /* `until piece measures 10 cm`; not `until long enough`. */
 static bool says_length(struct eval *eval, struct span span)
 {
@@ -214,8 +223,10 @@ static bool is_single(const struct row *row)
     return !row->count && !row->times && (!numbers || (!numbers->next && !numbers->last && !numbers->all));
 }
 
+enum { NO_PLACE = -LIMIT_ROWS - 1 };
+
 /* Where the next `Repeat the last 16 rows` begins; the rows of each `Repeat last row for 8 rows` from this statement to there are those
- * with the row above, or (`more`) others behind it. -1: nothing says so. */
+ * with the row above, or (`more`) others behind it. NO_PLACE: nothing says so. */
 static long long block_place(struct eval *eval, struct where where, const struct stmt *stmt, const struct body *body, bool more)
 {
     enum { FARTHEST = 50 };
@@ -227,21 +238,25 @@ static long long block_place(struct eval *eval, struct where where, const struct
             continue;
         }
         if (stmt->kind != STMT_AGAIN || stmt->again.which != AGAIN_LAST || !eval_whole(eval, where, stmt->again.last, 1, LIMIT_ROWS, "the number of rows", &last))
-            return -1;
+            return NO_PLACE;
         if (last > 1)
             return end - last;
         if (stmt->again.kind != AGAIN_ROWS || !eval_whole(eval, where, stmt->again.n, 0, LIMIT_ROWS, "this number", &n))
-            return -1;
+            return NO_PLACE;
         end += n - !(more || stmt->again.more);
     }
-    return -1;
+    return NO_PLACE;
 }
 
-/* `Repeat last row for 8 rows` twice, then `the last 16 rows`: the row above is one of the 8 where these begin with a row so alone. */
-static bool counts_above(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, const struct body *body)
+/* `Repeat last row for 8 rows` twice, then `the last 16 rows`: the row above is one of the 8 where these begin with a row so alone.
+ * *said: such a sum stands below. */
+static bool counts_above(struct eval *eval, struct where where, const struct stmt *stmt, const struct again *again, const struct body *body, int n, bool *said)
 {
-    return again->which == AGAIN_LAST && again->kind == AGAIN_ROWS && !again->more &&
-           rows_begin_at(body->rows, block_place(eval, where, stmt, body, false)) && !rows_begin_at(body->rows, block_place(eval, where, stmt, body, true));
+    bool one = n == 1 && again->which == AGAIN_LAST && again->kind == AGAIN_ROWS && !again->more;
+    long long among = one ? block_place(eval, where, stmt, body, false) : NO_PLACE;
+
+    *said = among > NO_PLACE;
+    return *said && rows_begin_at(body->rows, among) && !rows_begin_at(body->rows, block_place(eval, where, stmt, body, true));
 }
 
 /* What is left to work of n times or n rows in all, where the rows above are among them. */
@@ -377,7 +392,7 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
 {
     struct row_texts texts;
     long long n = 0;
-    bool described = rows_described(body->rows), once;
+    bool described = rows_described(body->rows), once, said;
 
     rows_work(body->rows);
     if (again->n && !eval_whole(eval, where, again->n, 0, LIMIT_ROWS, "this number", &n))
@@ -398,12 +413,15 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         return false;
     rows_both_sides(body->rows, texts);
     warn_since_when(eval, stmt, again, body, texts, n);
+    described |= counts_above(eval, where, stmt, again, body, texts.n, &said);
+    if (!described && !said && !again->then)
+        warn_more_rows(eval, stmt, again, body, texts, n);
     once = is_once(eval, where, stmt, again, body, texts);
     if (once || (again->kind == AGAIN_PATTERN && (!rows_worked(body->rows, texts) || (!again->pattern && !again->open && rows_passed(body->rows, texts)))))
         n = 1;
     if (!once)
         warn_open(eval, stmt, again, body, texts, n > 0);
-    n = left_to_work(again, body, texts, n, described || counts_above(eval, where, stmt, again, body));
+    n = left_to_work(again, body, texts, n, described);
     if (again->kind == AGAIN_UNTIL_ROWS)
         rows_again(body->rows, stmt->span, texts, 0, n);
     else if (again->kind >= AGAIN_ROWS && n)

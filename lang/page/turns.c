@@ -20,7 +20,8 @@ const struct phrase turns_of_pages[] = {
     {"=until|till it|piece|work '|’|is|has s? =# =rows|rounds|rnds long", ""},
     {"=until|till =# =rows|rounds|rnds long", ""},
     {", ending|finishing with|on|after a|the # st|nd|rd|th patt|pattern? row|round", ", end with row #"},
-    {"=for =# =rows|rounds|rnds more", ""},
+    {"for # rows more", "for # more rows"},
+    {"for # rounds|rnds more", "for # more rnds"},
     {"! when|once you|we? have? done|worked|knitted|knit|completed # rows|rounds|rnds =, =cast|bind =off", "rep them until # rows"},
     {"! when|once # rows|rounds|rnds have|are been? done|worked|knitted|knit|completed =, =cast|bind =off", "rep them until # rows"},
 
