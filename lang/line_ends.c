@@ -141,6 +141,8 @@ static bool row_goes_on(const struct scanner *scanner, const char *text)
     /* `*(k1, p1)` and on the next line `x 2; rep from *`. */
     if (scanner->star && tolower((unsigned char)*text) == 'x' && isdigit((unsigned char)*words_skip_blanks(text + 1)))
         return true;
+    if (scanner->comma && !scanner->star && (words_are(text, WORDS_BIND | WORDS_CAST) || (words_are(text, WORDS_PLAIN | WORDS_WORK) && prose_rows_follow(words_next(text)))))
+        return false;   /* a comma at the row's end */
     return scanner->comma || ((scanner->star || scanner->stops) && syntax_is_row(text)) || scanner->previous == ':' ||
            (!scanner->bare && scanner_in_row_head(scanner) && prose_row_line(text)) || scanner->previous == TOKEN_TO_LAST || scanner->previous == TOKEN_UNTIL ||
            (scanner->previous == TOKEN_NAME && is_count(text));

@@ -35,10 +35,12 @@ static size_t measure_length(const char *text)
 
 size_t groups_braces(const char *text)
 {
-    size_t at = 1, stitches = 0;
+    size_t at = 1, stitches = 0, side = words_one_of("rs|ws|right side|wrong side", text + 1);
 
     if (measure_length(text))
         return measure_length(text);
+    if (side && text[1 + side] == '}')
+        return side + 2;
     for (; strchr("kKpP", text[at]) && text[at]; stitches++) {
         at++;
         at += strspn(text + at, "0123456789");

@@ -8,7 +8,7 @@
 
 struct page_facts;
 
-/* Of "(K2. P2) ribbing", whose brackets go; of `{k1, p1}`, more than one stitch and no more, or `{8mm}`. */
+/* Of "(K2. P2) ribbing", whose brackets go; of `{k1, p1}`, more than one stitch and no more, `{RS}` or `{8mm}`. */
 size_t groups_rib(const char *text);
 size_t groups_braces(const char *text);
 

@@ -10,7 +10,7 @@
 #include "lang/page/words.h"
 
 enum { WORDING = 32 };  /* bytes of the longest plain wording */
-enum { WORDS = 1024, BUCKETS = 4096, ALTERNATIVES = 8192, PIECES = 4096, MOST = 512 };
+enum { WORDS = 1024, BUCKETS = 4096, ALTERNATIVES = 8192, PIECES = 4096, MOST = 576 };
 
 /* The words are numbered; the first stand for `#`, as figures do, the next for `$`. */
 enum { NO_WORD, NUMBER, LAST_NUMBER = 12, STITCH };

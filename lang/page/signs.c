@@ -99,16 +99,18 @@ static bool is_plain_row(const char *text, size_t at)
     return words_is(text + at, "plain") && row_begun(text, at) && prose_line_ends(text + at + 5);
 }
 
-/* `(RS)` at a row's end: which side it is worked on, its brackets gone. */
+/* `(RS)`, `- right side row` at a row's end: which side it is worked on, without the brackets. */
 static size_t side_length(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    static const char *const sides[] = {"rs", "ws"};
-    int side = words_find(text + at + 1, sides, 2);
+    const char *side = words_skip_blanks(text + at + 1), *end = words_skip_any(side, text[at] == '-' ? "rs|ws|right side|wrong side|row" : "rs|ws|right side|wrong side");
 
-    if (side < 0 || text[at + 3] != (text[at] == '(' ? ')' : ']') || !prose_line_ends(text + at + 4) || !remarks_in_row(text, at) || at == 0 || row_begun(text, at + 1))
+    if (end == side || (text[at] != '-' && *end != (text[at] == '(' ? ')' : ']')))
         return 0;
-    snprintf(plain, SIGNS_PLAIN, " %s", sides[side]);
-    return 4;
+    end += text[at] != '-';
+    if (!prose_line_ends(end) || !remarks_in_row(text, at) || at == 0 || row_begun(text, at + 1))
+        return 0;
+    snprintf(plain, SIGNS_PLAIN, " %cs", tolower((unsigned char)*side));
+    return (size_t)(end - text) - at;
 }
 
 /* `(RS)` of `All odd-numbered (RS) rows: knit`, which is one side's rows by their number already. */
@@ -533,7 +535,7 @@ static const struct sign {
     {"\t", false, .skips = remarks_column},
     {"p", true, .is = is_plain_row, 5, "knit"},
     {"([rRwW", true, .says = side_head_length},
-    {"([", false, .says = side_length},
+    {"([-", false, .says = side_length},
     {"/<", false, .skips = aside_length},
     {".\xE2", false, .is = is_dots, 3, "rep"},
     {" ,", false, .is = is_end_of_sentence, 1, "\n"},
