@@ -124,7 +124,7 @@ struct row_numbers {
     struct row_numbers *next;
 };
 
-enum body_kind { BODY_ITEMS, BODY_AS_ROW, BODY_AS_BELOW, BODY_FABRIC, BODY_IN_PATTERN };
+enum body_kind { BODY_ITEMS, BODY_AS_ROW, BODY_AS_BELOW, BODY_FABRIC, BODY_IN_PATTERN, BODY_IN_RIB };
 
 /* A fabric known by its name: `work 6 rows in k2, p2 rib`. */
 enum fabric_kind { FABRIC_GARTER, FABRIC_STOCKINETTE, FABRIC_REVERSE, FABRIC_SEED, FABRIC_RIB };

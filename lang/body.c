@@ -56,6 +56,7 @@ static bool lower_as_row(struct eval *eval, struct where where, const struct row
     text->cut = other->cut;
     text->failed = other->failed;
     text->as_below = other->as_below;
+    text->rib = other->rib;
     text->as_opposite = other->as_opposite;
     text->end = other->end;
     text->end_length = other->end_length;
@@ -153,6 +154,9 @@ static bool lower_body(struct eval *eval, struct where where, const struct row *
     case BODY_AS_BELOW:
         text->as_below = !row->opposite;
         text->as_opposite = row->opposite;
+        return true;
+    case BODY_IN_RIB:
+        text->as_below = text->rib = true;
         return true;
     case BODY_AS_ROW:
         return lower_as_row(eval, where, row, body, from, text);

@@ -339,21 +339,43 @@ static bool has_only(const char *name, const char *const *words, int n)
     return at > 0;
 }
 
-/* `work in pattern as established`, `patt to end`, and no more; only rows with a number have a turn. */
-static bool is_in_pattern(struct parse *parse, const struct row *head, const struct item *item)
+/* Whether a row has nothing but these words, to its end. */
+static bool is_of_words(struct parse *parse, const struct item *item, const char *const *words, int n)
 {
-    static const char *const words[] = {"patt", "pattern", "work", "in", "the", "est", "established", "as", "set", "even", "to", "end", "across", "row"};
     struct stitch_words name;
     enum until_kind until;
 
-    if (!item || item->next || item->kind > ITEM_STITCH || item_is_below(item) || !head->numbers || head->numbers->all)
+    if (!item || item->next || item->kind > ITEM_STITCH || item_is_below(item))
         return false;
     name = item_words(parse->source, item);
     until = item_until(parse->source, item).kind;
     if (name.count || name.figures.source || (until != UNTIL_ONCE && until != UNTIL_END))
         return false;
-    return has_only(arena_copy(parse->arena, name.name, name.length), words, sizeof words / sizeof *words) &&
-           strcspn(name.name, "pP") < name.length;
+    return has_only(arena_copy(parse->arena, name.name, name.length), words, n);
+}
+
+/* `work in pattern as established`, `patt to end`, and no more; only rows with a number have a turn. */
+static bool is_in_pattern(struct parse *parse, const struct row *head, const struct item *item)
+{
+    static const char *const words[] = {"patt", "pattern", "work", "in", "the", "est", "established", "as", "set", "even", "to", "end", "across", "row"};
+    struct stitch_words name;
+
+    if (!head->numbers || head->numbers->all || !is_of_words(parse, item, words, sizeof words / sizeof *words))
+        return false;
+    name = item_words(parse->source, item);
+    return strcspn(name.name, "pP") < name.length;
+}
+
+/* `rib to end`, `work in rib`, and no more. */
+static bool is_in_rib(struct parse *parse, const struct item *item)
+{
+    static const char *const words[] = {"rib", "ribbing", "work", "in", "the", "as", "before", "set", "established", "across", "all", "row"};
+    struct stitch_words name;
+
+    if (!is_of_words(parse, item, words, sizeof words / sizeof *words))
+        return false;
+    name = item_words(parse->source, item);
+    return strcspn(name.name, "bB") < name.length;
 }
 
 struct row syntax_sided(struct parse *parse, struct row head, struct span span, enum side side)
@@ -373,6 +395,8 @@ struct row syntax_row(struct parse *parse, struct row head, struct span head_spa
         body.opposite = body.item->more->name == item_opposite;
     } else if (is_in_pattern(parse, &head, body.item)) {
         body.body = BODY_IN_PATTERN;
+    } else if (is_in_rib(parse, body.item)) {
+        body.body = BODY_IN_RIB;
     }
     body.count = head.count;
     body.starting = body.starting ? body.starting : head.starting;

@@ -292,6 +292,8 @@ static void put_row(struct writer *w, const struct row *row)
         PUT(row->opposite ? "purl the knits and knit the purls" : "knit the knits and purl the purls");
     else if (row->body == BODY_IN_PATTERN)
         PUT("work in pattern");
+    else if (row->body == BODY_IN_RIB)
+        PUT("work in rib");
     else
         put_items(w, row->item, true);
     PUT("%s", w->stop);

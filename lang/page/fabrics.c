@@ -49,12 +49,19 @@ size_t fabrics_rib(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     const char *open = n && text[sign] ? strchr(opens, text[sign]) : NULL;
     int knit, purl;
 
-    if (!open)
+    if (!n)
         return 0;
-    pair = sign + 1 + strspn(text + sign + 1, " ");
+    pair = sign + (open ? 1 + strspn(text + sign + 1, " ") : 0);
     end = pair + ribs_pair(text + pair, &knit, &purl);
     if (end == pair)
         return 0;
+    if (!open) {
+        n = (size_t)snprintf(plain, SIGNS_PLAIN, "k%d p%d", knit, purl);
+        if (!words_stitch_length(text + pair) || !prose_line_ends(text + end) || n + strlen(" rib") > end - at)
+            return 0;
+        snprintf(plain + n, SIGNS_PLAIN - n, "%*s", (int)(end - at - n), "rib");
+        return end - at;
+    }
     end += *open == '-' ? strspn(text + end, " ") : 0;
     if (*open != ',' && text[end] != closes[open - opens] && !(*open == '-' && prose_line_ends(text + end)))
         return 0;
@@ -124,7 +131,7 @@ size_t fabrics_alternate(const char *text, size_t at, char plain[static SIGNS_PL
     number = more ? words_next(number) : number;
     if (all && (words_is(number, "times") || words_is(number, "x")))
         n = 2 * (n + (more || words_is(words_next(number), "more")));
-    else if (!words_are_rows(number))
+    else if (!words_are_rows(number) || words_are(words_next(number), WORDS_PLAIN))
         return 0;
     number += words_length(number);
     number = words_is(words_skip_blanks(number), "more") ? words_skip_blanks(number) + 4 : number;

@@ -182,7 +182,7 @@ static size_t last_mention(const char *text)
 
     for (size_t at = 0, n; text[at]; at += n ? n : 1) {
         n = words_length(text + at);
-        if (words_is(text + at, "in") && is_rib(words_skip_blanks(text + at + 2)))
+        if (is_rib(text + at) && (words_one_of("in|of|work|rows|rnds|rounds", text + words_before(text, at)) || words_one_of("for|until|till", words_next(text + at))))
             last = at;
     }
     return last;

@@ -12,7 +12,7 @@ struct ribs {
     int knit, purl;         /* of the first rib described, */
     int n;                  /* of so many that differ: 0, 1, 2 or more */
     bool looked;
-    size_t last;            /* where `in rib` stands last; 0: nowhere */
+    size_t last;            /* where `in rib`, `work rib` stands last; 0: nowhere */
 };
 
 /* Reads on up to a place. */

@@ -210,6 +210,33 @@ const struct phrase turns_of_pages[] = {
     {"=: cont|continue|keep =in", "work"},
     {"; =co|cast =on? =#", "\n"},
 
+    /* rows before what they are worked in */
+    {"^ # row|rows knit|plain =,|;|.", "knit # rows"},
+    {"^ # row|rows purl =,|;|.", "purl # rows"},
+    {"! then # rows|row knit", "knit # rows"},
+    {"! then # rows|row purl", "purl # rows"},
+    {"^ # row knit", "knit # row"},
+    {"^ # row purl", "purl # row"},
+    {"^ # round|rounds|rnds|rnd knit =,|;|.", "knit # rnds"},
+    {"^ # round|rounds|rnds|rnd purl =,|;|.", "purl # rnds"},
+    {"=row|rows , and|then? # rows knit", ". knit # rows"},
+    {"=row|rows , and|then? # rows purl", ". purl # rows"},
+    {"=row|rows , and|then? # row knit", ". knit # row"},
+    {"=row|rows , and|then? # row purl", ". purl # row"},
+    {"=rounds|rnds|round|rnd , and|then? # rounds|rnds knit", ". knit # rnds"},
+    {"=rounds|rnds|round|rnd , and|then? # rounds|rnds purl", ". purl # rnds"},
+
+    /* ribs */
+    {"! work =# =rows|rounds|rnds in? rib|ribbing as follows|foll|foll. =: =*|(|[|k|p|knit|purl", "next"},
+    {"! work =# =rows|rounds|rnds in? rib|ribbing as follows|foll|foll. =: =$", "next"},
+    {"! rib # rows|rounds|rnds as follows|foll|foll. =: =*|(|[|k|p|knit|purl", "next # rows"},
+    {"! rib # rows|rounds|rnds as follows|foll|foll. =: =$", "next # rows"},
+    {"=rib|ribbing as|like given|described|worked|set at|for|on|in the? beg|beg.|beginning|start|bottom|lower|first edge|end|border?", ""},
+    {"=: =$ ,? =$ =rib|ribbing to|till|until the? end", ""},
+    {"=: =$ ,? =$ =rib|ribbing across", ""},
+    {"repeat the? rib row|round|rnd =once|twice|#|until|till|for", "rep last row"},
+    {"rep the rib row|round|rnd =once|twice|#|until|till|for", "rep last row"},
+
     /* the next rows */
     {"^ for|on|over|the|following the? next|following? =# =rows|rounds|rnds ,|:", "next"},
     {"< =work|knit|purl|k|p the? next =# =rows|rounds|rnds", ""},

@@ -77,6 +77,12 @@ bool row_list_append(struct row_list *list, struct row_text *text)
         row_list_fail(list);
         return false;
     }
+    if (text->rib && !(list->norder && rows_are_rib((struct row_texts){list->order + list->norder - 1, 1, 0}))) {
+        diag_error(list->diag, CODE_ELSEWHERE, text->span, "which rib this is is not said, and the row before it is none");
+        diag_hint(list->diag, "the row's stitches, `*k2, p2; rep from * to end`, or `Work 4 rows in k2, p2 rib`");
+        row_list_fail(list);
+        return false;
+    }
     list->order = row_list_grown(list, list->order, &list->room, list->norder + 1);
     list->order[list->norder++] = text;
     text->worked = true;

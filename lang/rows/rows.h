@@ -67,6 +67,7 @@ struct row_text {
     enum side    side;          /* as marked */
     bool         round;
     bool         as_below;      /* knits over knits, purls over purls */
+    bool         rib;           /* as_below, where that is a rib */
     bool         as_opposite;   /* knits over purls, purls over knits */
     bool         cut;           /* `work` again and again, cut off behind its last or its first stitches */
     struct work *work;
