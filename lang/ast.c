@@ -195,6 +195,16 @@ bool item_is_below(const struct item *item)
     return item->kind == ITEM_STITCH && (item->more->name == item_same || item->more->name == item_opposite);
 }
 
+struct item *item_within(struct parse *parse, struct span span, struct within within)
+{
+    struct item *item = item_new(parse, ITEM_STITCH, span);
+    struct within *kept = arena_new(parse->arena, struct within);
+
+    *kept = within;
+    item->more[0] = (struct item_more){.name = "work in pattern", .within = kept, .until = {.span = span}};
+    return item;
+}
+
 struct item *item_marker(struct parse *parse, struct span span, const char *done)
 {
     struct item *item = item_new(parse, ITEM_STITCH, span);
@@ -426,14 +436,6 @@ struct stmt *stmt_multiple(struct parse *parse, struct multiple multiple)
     return stmt;
 }
 
-struct stmt *stmt_row(struct parse *parse, struct span span, struct row row)
-{
-    struct stmt *stmt = ast_stmt(parse, STMT_ROW, span);
-
-    stmt->row = row;
-    return stmt;
-}
-
 /* How far the sentence of a statement was read: words behind it may be blank by now. */
 static unsigned sentence_end(const struct parse *parse, struct span span)
 {
@@ -442,6 +444,17 @@ static unsigned sentence_end(const struct parse *parse, struct span span)
     while (end < parse->scanner->at && !strchr("\r\n#", parse->text[end]))
         end++;
     return end;
+}
+
+struct stmt *stmt_row(struct parse *parse, struct span span, struct row row)
+{
+    struct stmt *stmt = ast_stmt(parse, STMT_ROW, span);
+    bool several;
+
+    stmt->row = row;
+    if (row.body == BODY_OF_PATTERN)
+        stmt->row.from = named_rows(&parse->named, span.start, sentence_end(parse, span), &several);
+    return stmt;
 }
 
 /* Whether `worked`, `done` stands between two places of the text as it was written. */

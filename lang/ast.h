@@ -85,9 +85,14 @@ struct until {
 
 enum item_kind { ITEM_SEVERAL, ITEM_PLAIN, ITEM_COUNTED, ITEM_STITCH, ITEM_GROUP, ITEM_STARS, ITEM_REP_FROM };
 
+/* `work row 1 of pattern to last 4 sts`: the row, 0: the one whose turn it is; how many stitches are left; or over how many
+ * it is worked; 0: neither is said. */
+struct within { int row, last, over; };
+
 /* What an item has that is not plain. */
 struct item_more {
     const char   *name;             /* stitch: "k2" */
+    const struct within *within;    /* a pattern that is worked here, or NULL */
     struct expr  *count;            /* stitch: one that stands apart, or NULL */
     struct item  *child;            /* the others: what is repeated */
     struct until  until;
@@ -124,7 +129,7 @@ struct row_numbers {
     struct row_numbers *next;
 };
 
-enum body_kind { BODY_ITEMS, BODY_AS_ROW, BODY_AS_BELOW, BODY_FABRIC, BODY_IN_PATTERN, BODY_IN_RIB };
+enum body_kind { BODY_ITEMS, BODY_AS_ROW, BODY_AS_BELOW, BODY_FABRIC, BODY_IN_PATTERN, BODY_IN_RIB, BODY_OF_PATTERN };
 
 /* A fabric known by its name: `work 6 rows in k2, p2 rib`. */
 enum fabric_kind { FABRIC_GARTER, FABRIC_STOCKINETTE, FABRIC_REVERSE, FABRIC_SEED, FABRIC_RIB };
@@ -153,6 +158,7 @@ struct row {
     enum body_kind      body;
     struct span         body_span;
     bool                opposite;       /* of what is below */
+    unsigned            from;           /* where the rows begin whose name is mentioned; 0: none is */
     struct item        *item;
     struct fabric       fabric;
     struct row_numbers *reference;      /* as row n, as rows 1-4, */
@@ -325,6 +331,9 @@ struct item *item_stitch(struct parse *, struct span, const char *name, struct e
 extern const char item_same[], item_opposite[];
 struct item *item_below(struct parse *, struct span, bool opposite, struct until);
 bool item_is_below(const struct item *);
+
+/* A pattern that is worked within a row. */
+struct item *item_within(struct parse *, struct span, struct within);
 
 /* Markers between two stitches: what is done with one there. */
 extern const char item_placed[], item_slipped[], item_removed[];

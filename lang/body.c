@@ -270,6 +270,8 @@ static bool next_text(struct eval *eval, struct where where, struct row_run *run
                                                : 0;
     bool starting = row->starting && i < 2;
 
+    if (row->body == BODY_OF_PATTERN)
+        return (run->text = body_of_pattern(eval, where, row, body)) != NULL;
     if (row->body == BODY_IN_PATTERN && i == 0)
         warn_in_pattern(eval, row, which);
 
@@ -364,15 +366,17 @@ static bool run_row(struct eval *eval, struct where where, const struct stmt *st
         if (part->all)
             rows_fill(body->rows, run.text, part->all, run.labels.n ? run.labels.label[0] : 1, (int)last);
     }
+    if (row->body == BODY_OF_PATTERN)
+        body_tell_pattern(body);
     return true;
 }
 
 /* ---- the cast-on ---- */
 
-/* Whether a statement works rows above the cast-on by their name. */
+/* Whether a statement works rows above the cast-on by their name, or between other stitches. */
 static bool is_by_name(const struct stmt *stmt, const struct stmt *cast_on)
 {
-    return stmt->kind == STMT_AGAIN && stmt->again.from && stmt->again.from < cast_on->span.start;
+    return (stmt->kind == STMT_AGAIN && stmt->again.from && stmt->again.from < cast_on->span.start) || (stmt->kind == STMT_ROW && stmt->row.body == BODY_OF_PATTERN);
 }
 
 /* What a cast-on behind rows makes of them: they are the piece, where nothing follows it; or a pattern that
@@ -561,7 +565,10 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
     case STMT_CAST_ON:
         return run_cast_on(eval, *where, stmt, body);
     case STMT_PATTERN:
-        rows_tell(body->rows, stmt->span, stmt->told);
+        if (body_works_between(body))
+            body_tell_pattern(body);
+        else
+            rows_tell(body->rows, stmt->span, stmt->told);
         return true;
     case STMT_EDGES:
         return keep_edges(eval, stmt, body);

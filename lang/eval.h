@@ -203,6 +203,7 @@ struct body {
     bool               misplaced;       /* one stood behind rows */
     struct multiple    multiple;
     struct row_edges  *edges;           /* kept from here on; or NULL */
+    struct between    *between;         /* the pattern that rows work between other stitches; NULL: none does */
     int                in_pattern;      /* the last row `in pattern`; 0: none */
     int                period;          /* the rows before it, and before those in pattern right before it */
     bool               failed;
@@ -215,6 +216,12 @@ void body_statement(struct eval *, struct where, const struct stmt *, struct bod
 
 /* body_again.c: `repeat rows 1-4 5 times`, `continue in pattern for 8 rows`; false after an error */
 bool body_again(struct eval *, struct where, const struct stmt *, const struct again *, struct body *);
+
+/* body_pattern.c: the text of a row that works a pattern between other stitches, NULL after an error; that the pattern's rows
+ * between these are the pattern from here on; whether one of them was worked last */
+struct row_text *body_of_pattern(struct eval *, struct where, const struct row *, struct body *);
+void body_tell_pattern(struct body *);
+bool body_works_between(struct body *);
 
 /* stitches.c: kinds of stitches */
 enum { STITCH_KEYS = 5 };       /* kx, ky, twist, symbol, ws */

@@ -20,7 +20,7 @@ static const struct family {
     {NULL, {"'||'", "'&&'", "'=='", "'!='", "'<'", "'>'", "'<='", "'>='", "'+'", "'-'", "'*'", "'/'", "'mod'", "'?'", "'('", "'['", "'.'"}},
 
     /* What a row is made of, and what may stand behind a stitch or a group. */
-    {"stitches", {"'knit the knits and purl the purls'", "a name", "'('", "'['", "so many times", "a marker", "'*' in a row", "'as row'", "'as 3rd row'", "a fabric's name"}},
+    {"stitches", {"'knit the knits and purl the purls'", "'work in pattern to the last stitches'", "a name", "'('", "'['", "so many times", "a marker", "'*' in a row", "'as row'", "'as 3rd row'", "a fabric's name"}},
     {NULL, {"'to end'", "'to marker'", "'to end, ending'", "'ending last repeat'", "'to last'", "'until'", "'twice'", "'x' (times)", "a number", "'{' of a number",
             "'sts'", "'repeat'", "'('", "'['"}},
     {NULL, {"'--'", "'repeat' without a star", "RS or WS behind a row"}},

@@ -1,7 +1,7 @@
 # The language: .knit text -> scene.
 noinst_LIBRARIES += liblang.a
 liblang_a_SOURCES = \
-    lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c lang/body_again.c lang/brackets.c lang/builtin.c \
+    lang/arena.h lang/arena.c lang/ast.h lang/ast.c lang/body.c lang/body_again.c lang/body_pattern.c lang/brackets.c lang/builtin.c \
     lang/chart.h lang/chart.c lang/codes.h lang/compile.h lang/compile.c lang/diag.h lang/diag.c \
     lang/diag_print.c lang/eval.h lang/eval.c lang/expected.h lang/expected.c lang/grid.h lang/grid.c \
     lang/keys.h lang/keys.c lang/lexer.c lang/library.h lang/library.c lang/limits.h lang/line_ends.c \
@@ -27,7 +27,7 @@ liblang_a_SOURCES = \
     lang/page/rows_go_on.h lang/page/rows_go_on.c lang/page/rows_told.h lang/page/rows_told.c lang/page/run_on.h \
     lang/page/run_on.c lang/page/sided_rows.h lang/page/sided_rows.c lang/page/signs.h lang/page/signs.c lang/page/starred.h lang/page/starred.c \
     lang/page/sums.h lang/page/sums.c lang/page/turns.h lang/page/turns.c lang/page/turns_books.c \
-    lang/page/wording.h lang/page/wording.c lang/page/words.h lang/page/words.c lang/page/yarns.h \
+    lang/page/within.h lang/page/within.c lang/page/wording.h lang/page/wording.c lang/page/words.h lang/page/words.c lang/page/yarns.h \
     lang/page/yarns.c \
     lang/rows/page_fabric.c lang/rows/row_again.c lang/rows/row_draw.h lang/rows/row_draw.c \
     lang/rows/row_edges.c lang/rows/row_fit.h lang/rows/row_fit.c lang/rows/row_grid.c lang/rows/row_labels.h \

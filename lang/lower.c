@@ -198,6 +198,11 @@ static bool lower_item(struct eval *eval, struct where where, const struct item 
 
     if (!count_item(eval, where, item) || !lower_until(eval, where, item, work))
         return false;
+    if (item->kind == ITEM_STITCH && item->more->within) {
+        work->within = item->more->within;
+        *to = work;
+        return true;
+    }
     if (item_is_below(item)) {
         work->run[0] = (struct run){1, item->more->name == item_opposite ? STITCH_OTHER : STITCH_SAME};
         work->nruns = 1;

@@ -65,6 +65,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
     const char *text;
     enum side side;
     bool opposite;
+    struct within within;
     const char *marker;
     enum until_kind to_marker;
     struct all all;
@@ -211,6 +212,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token AS_ROW           "'as row'"
 %token <number> AS_NTH_ROW "'as 3rd row'"
 %token BUT_END          "'but end'"
+%token <within> OF_PATTERN "'work in pattern to the last stitches'"
 %token <opposite> AS_BELOW "'knit the knits and purl the purls'"
 %token DASH             "'--'"
 %token HOLE             "'{' of a number"
@@ -520,6 +522,7 @@ items:
 item:
   NAME                                  { $$ = item_stitch(parse, @$, $1, NULL, (struct until){.span = @1}); }
 | MARKER                                { $$ = item_marker(parse, @$, $MARKER); }
+| OF_PATTERN                            { $$ = item_within(parse, @$, $1); }
 | AS_BELOW                              { $$ = item_below(parse, @$, $1, (struct until){UNTIL_FIT, NULL, @1}); }
 | AS_BELOW position                     { $$ = item_below(parse, @$, $1, $position); }
 | NAME position                         { $$ = item_stitch(parse, @$, $1, NULL, $position); }

@@ -118,6 +118,9 @@ bool scanner_is_text(struct scanner *);
 /* Whether a text keeps edges in a fabric of their own. */
 bool scanner_edges(struct scanner *, KNIT_STYPE *, struct span, const char *text);
 
+/* The bytes of `work row 1 of pattern to last 4 sts`; alone in a row only where it says how far, or which row. */
+size_t scanner_within(const struct scanner *, KNIT_STYPE *, const char *text);
+
 /* Whether it explains a fabric's name; warns where it may be work. */
 bool scanner_explains(struct scanner *);
 

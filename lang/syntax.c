@@ -386,6 +386,15 @@ struct row syntax_sided(struct parse *parse, struct row head, struct span span, 
     return head;
 }
 
+/* Whether a pattern is worked within these. */
+static bool has_within(const struct item *item)
+{
+    for (; item; item = item->next)
+        if (!item_is_plain(item) && (item->more->within || has_within(item->more->child)))
+            return true;
+    return false;
+}
+
 struct row syntax_row(struct parse *parse, struct row head, struct span head_span, struct row body, struct span body_span)
 {
     check_times(parse, body.item, true);
@@ -395,6 +404,8 @@ struct row syntax_row(struct parse *parse, struct row head, struct span head_spa
         body.opposite = body.item->more->name == item_opposite;
     } else if (is_in_pattern(parse, &head, body.item)) {
         body.body = BODY_IN_PATTERN;
+    } else if (has_within(body.item)) {
+        body.body = BODY_OF_PATTERN;
     } else if (is_in_rib(parse, body.item)) {
         body.body = BODY_IN_RIB;
     }
@@ -471,9 +482,9 @@ struct row_numbers *syntax_first_rows(struct parse *parse, struct span span, str
 struct again syntax_work_again(struct row_numbers *numbers, struct again again)
 {
     again.numbers = numbers;
-    again.assumed = again.kind == AGAIN_TIMES && !again.more;
+    again.assumed = (again.kind == AGAIN_TIMES || again.kind == AGAIN_ROWS) && !again.more;
     if (again.assumed)
-        again.kind = AGAIN_TOTAL;
+        again.kind = again.kind == AGAIN_TIMES ? AGAIN_TOTAL : AGAIN_TOTAL_ROWS;
     return again;
 }
 

@@ -11,6 +11,7 @@
 
 #include "lang/page/edges.h"
 #include "lang/page/lengths.h"
+#include "lang/page/within.h"
 #include "lang/page/words.h"
 #include "lang/refused.h"
 
@@ -289,6 +290,13 @@ void scanner_fabric(struct scanner *scanner, KNIT_STYPE *value, struct span span
                      "'moss' is two patterns: in Britain what others call seed, in America a pattern of four rows");
         diag_hint(scanner->parse->diag, "taken as 'seed' (British moss); the American one is `use moss_us from std`");
     }
+}
+
+size_t scanner_within(const struct scanner *scanner, KNIT_STYPE *value, const char *text)
+{
+    size_t n = within_length(text, &value->within);
+
+    return scanner->previous != ':' || value->within.row || value->within.last ? n : 0;
 }
 
 bool scanner_edges(struct scanner *scanner, KNIT_STYPE *value, struct span span, const char *text)

@@ -56,9 +56,11 @@ bool explained_fabric(const char *line, bool cast_on)
     struct said said = {0};
     const char *text = strchr("gGsSrR", *line) && *line ? behind_name(line, &kind) : NULL;
 
-    for (size_t n; text && *text && !words_ends_line(*text); text += n)
-        if (!(n = word_length(text, &said)))
+    for (size_t n; text && *text && !words_ends_line(*text); text += n) {
+        n = words_one_of("1 ridge =|one ridge =|1 ridge is|one ridge is|1 garter ridge =", text) ? strcspn(text, ".\r\n") : word_length(text, &said);
+        if (!n)
             return false;
+    }
     if (cast_on && said.one && !said.every)
         return false;
     return text && (kind == GARTER ? said.rows && said.every && said.knit != said.purl : (said.rows || said.every) && said.knit && said.purl);

@@ -77,7 +77,7 @@ static struct name *name_at(struct names_of_page *names, const char *text, size_
 /* What stands for the name of a pattern that is worked: nothing before its rows. */
 static const char *plain_of_worked(const char *behind, size_t length)
 {
-    const char *plain = "in patt";
+    const char *plain = length < strlen("in patt") ? "in pat" : "in patt";
 
     behind = words_skip_blanks(behind);
     if (words_are_rows(behind))

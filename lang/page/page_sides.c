@@ -78,12 +78,18 @@ static const char *behind_verb(const char *text)
     return words_find(text, verb, sizeof verb / sizeof *verb) >= 0 ? SKIP(text, verb) : NULL;
 }
 
-/* `Start on the wrong side.`: no more of a sentence stands behind it. */
+/* `Start on the wrong side.`, `Work the 1st row from WS`: no more of a sentence stands behind it. */
 static enum side start_at(const char *text)
 {
     static const char *const begin[] = {"start", "starts", "starting", "begin", "begins", "beginning"}, *const with[] = {"on", "with"};
-    const char *at = SKIP(text, begin), *behind = SKIP(at, with);
-    enum side side = at > text && behind > at ? side_at(&behind) : SIDE_OPEN;
+    const char *at = SKIP(text, begin), *behind = SKIP(at, with), *row = words_one_of("work|knit", text) ? words_skip_any(words_next(text), "the|first|1st|row") : NULL;
+    enum side side;
+
+    if (row && words_one_of("from|on", row)) {
+        at = words_next(text);
+        behind = row;
+    }
+    side = at > text && behind > at ? side_at(&behind) : SIDE_OPEN;
 
     return side && (!*behind || strchr(".!);\r\n", *behind)) ? side : SIDE_OPEN;
 }
@@ -116,7 +122,7 @@ bool page_sides_line(const char *text)
 
 enum side page_sides(const char *text, bool *begins)
 {
-    static const char first[] = "rRwWeEoOfFsSbB";
+    static const char first[] = "rRwWeEoOfFsSbBkK";
     enum side found = SIDE_OPEN;
 
     *begins = false;

@@ -173,7 +173,7 @@ static bool asks_for_work(const char *text, size_t length)
             continue;
         if (i > 1 && text[i - 1] == ' ' && text[i - 2] == '.')
             here = words_find(text + i, lead, sizeof lead / sizeof *lead);
-        asks |= here >= 0 && prose_times_follow(text + i);
+        asks |= here >= 0 && (prose_times_follow(text + i) || (words_are(text + i, WORDS_OFTEN) && words_is(behind, "more")));
         if (!isalpha((unsigned char)text[i]))
             continue;
         asks |= words_find(text + i, keep, 4) >= 0 && words_number(behind);

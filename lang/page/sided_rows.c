@@ -37,7 +37,7 @@ static size_t read_word(const char *text, struct said *said)
     else if ((n = words_one_of("all sts|all stitches|across", text)) > 0 && said->stitch)
         said->row = said->one = true;
     else
-        n = words_one_of("work|then|now|and|with|on|by|in|the", text);
+        n = words_one_of("work|then|now|first|and|with|from|on|by|in|the", text);
     return n;
 }
 
@@ -49,7 +49,7 @@ static const char *read_said(const char *text, struct said *said)
 
         if (all && (*text == ',' || words_is(text, "and")))
             return text;
-        n = strchr(",:", *text) ? 1 : read_word(text, said);
+        n = strchr(",:=", *text) ? 1 : read_word(text, said);
         if (!n)
             return NULL;
     }

@@ -502,7 +502,7 @@ static const struct sign {
     {"rRpPwW", true, .says = translated_length},
     {"sSaAlLrRwWdDiItTeE", true, .says = row_phrases_previous},
     {"kKpP", true, .says = dashed_length},
-    {"kKpPwWbBsSoO1aAtTnN", true, .says = sided_rows_length},
+    {"kKpPwWbBsSoO1aAtTnNfF", true, .says = sided_rows_length},
     {"(", false, .is = is_side_between, 4, ""},
     {"(", false, .says = row_phrases_star},
     {"aAkKpP", true, .says = row_phrases_alternate},

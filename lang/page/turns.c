@@ -74,6 +74,10 @@ const struct phrase turns_of_pages[] = {
     {"@ all? the? rem|remaining =# sts|stitches", ""},
     {"@ all? the? rem|remaining sts|stitches", "to end"},
     {"@ all the? sts|stitches =across|around|to", ""},
+    {"@ all of? the? sts|stitches|pegs in|of|on the|this? row|round|rnd|needle|loom", "to end"},
+    {"@ all of the sts|stitches|pegs", "to end"},
+    {"@ all the stitches|sts|pegs", "to end"},
+    {"@ all pegs", "to end"},
     {"< all the way across|along|around|round the|each|this row|round|rnd", "to end"},
     {"all the way across|along|around|round", "to end"},
     {"all the way to the? end", "to end"},
@@ -143,6 +147,7 @@ const struct phrase turns_of_pages[] = {
     {"=st|st.|stitch|sts|rib|ribbing|garter|stockinette|welt ,? =for =# =rows|rounds|rnds in? total|altogether|all", ""},
 
     /* whole rows */
+    {"work all? the? sts|stitches as they present|face|appear|lie|come you|themselves? , edge st|sts k|knit|knitted", "k k st p p st"},
     {"work all? the? sts|stitches as they appear|come|lie", "k k st p p st"},
     {"work each|every st|stitch as it appears|comes|lies|presents itself?", "k k st p p st"},
     {"work in established|est pattern|patt , knitting the? knit|k|knits sts|stitches? and purling the? purl|p|purls sts|stitches?", "k k st p p st"},
@@ -209,6 +214,26 @@ const struct phrase turns_of_pages[] = {
     {"=st|stitch|row|rows|rib|ribbing to finish|complete|match =.?", ""},
     {"=: cont|continue|keep =in", "work"},
     {"; =co|cast =on? =#", "\n"},
+
+    /* translations and patterns of companies */
+    {"=# =st|nd|rd|th rib|ribbing|patt|pattern|border =row|round|rnd", ""},
+    {"^ rib|ribbing|pattern|patt|border|body , =row|rows|rnd|round =#", ""},
+    {"=end|ending|ends|finish|finishing with? # st|sts|stitch|stitches knit|plain", "k#"},
+    {"=end|ending|ends|finish|finishing with? # st|sts|stitch|stitches purl", "p#"},
+    {"# st|sts|stitch|stitches knit =,|;|.|and|*|)", "k#"},
+    {"# st|sts|stitch|stitches purl =,|;|.|and|*|)", "p#"},
+    {"=#|rows|rounds|rnds until|till there|you|we|i? have|are|is? # pattern|patt? patterns|repeats|reps in height|length|vertically", "# times in all"},
+    {"continue|cont|work back and forth like|in this|the|same? same? way|manner?", "work in patt"},
+    {"=rows|rounds|rnds =# =-|to|and|through|& =# alternately|alternating|continuously|continually ,?", ""},
+    {"cont|continue|work in pat|patt|pattern until|till # rows of|in the? pat|patt|pattern have|has been? worked|completed|done", "rep them for # rows in all"},
+    {"=st|stitch|rib|rows|row|ridges|ridge|patt|pattern -|–|—|, see the? explanation|note|notes|instructions|description|diagram|tip|explanations above|below|under?", ""},
+    {"=st|stitch|rib|rows|row|ridges|ridge|patt|pattern ( see the? explanation|note|notes|instructions|description|diagram|tip|explanations above|below|under? )", ""},
+    {"=# =sts|stitches on|with|using the? circular|straight? needle|needles size? # .? #? mm", ""},
+    {"=st|stitch|rib|patt|pattern -|–|—|, explained|described|given above|below|before -|–|—|,?", ""},
+    {"=ridge|ridges|rows|rounds over|on|across all|the? sts|stitches", ""},
+    {"! work another =ridge", "work 1"},
+    {"=continue|cont|work back and forth", ""},
+    {"! now ,? =keep|keeping|continue|cont|repeat|rep|bind|cast", ""},
 
     /* rows before what they are worked in */
     {"^ # row|rows knit|plain =,|;|.", "knit # rows"},

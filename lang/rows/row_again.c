@@ -153,6 +153,23 @@ const struct row_text *rows_find_of(struct row_list *list, unsigned first, int l
     return rows_find(list, label);
 }
 
+struct row_texts rows_of_name(struct row_list *list, unsigned first)
+{
+    const struct part *part = list->part;
+
+    rows_work(list);
+    if (begins_at(list->label, list->label_room, first))
+        return (struct row_texts){.text = list->label + list->first_label, .n = list->last_label - list->first_label + 1};
+    while (part && !begins_at(part->label, part->label_room, first))
+        part = part->next;
+    return part ? (struct row_texts){.text = part->label + part->first_label, .n = part->last_label - part->first_label + 1} : (struct row_texts){0};
+}
+
+void rows_tell_texts(struct row_list *list, struct row_texts texts, int next)
+{
+    list->told = (struct told_rows){texts.text, texts.n, next};
+}
+
 /* Takes a part out of those kept; NULL: there is none. */
 static struct part *take_part(struct row_list *list, unsigned first)
 {
@@ -213,11 +230,20 @@ void rows_define(struct row_list *list)
     list->loose = true;
 }
 
+/* Whether a part that was left behind was worked. */
+static bool part_worked(const struct row_list *list)
+{
+    for (const struct part *part = list->part; part; part = part->next)
+        if (part->worked_label)
+            return true;
+    return false;
+}
+
 bool rows_come_before(const struct row_list *list, struct row_texts texts, bool unnumbered)
 {
     if (!list->norder || !texts.n)
         return false;
-    return unnumbered ? !list->order[0]->label || list->part : list->last_label && list->label[list->first_label] != texts.text[0];
+    return unnumbered ? !list->order[0]->label || part_worked(list) : list->last_label && list->label[list->first_label] != texts.text[0];
 }
 
 bool rows_worked(const struct row_list *list, struct row_texts texts)

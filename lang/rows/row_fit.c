@@ -49,6 +49,18 @@ bool work_measure(struct diag *diag, struct work *work, long long *length)
     return true;
 }
 
+bool work_is_same(const struct work *a, const struct work *b)
+{
+    for (; a && b; a = a->next, b = b->next) {
+        if (a->nruns != b->nruns || a->until != b->until || a->n != b->n || !work_is_same(a->child, b->child))
+            return false;
+        for (int i = 0; i < a->nruns; i++)
+            if (a->run[i].length != b->run[i].length || a->run[i].stitch != b->run[i].stitch)
+                return false;
+    }
+    return a == b;
+}
+
 /* ---- which widths fit ---- */
 
 static long long gcd(long long a, long long b)

@@ -13,6 +13,9 @@ bool work_measure(struct diag *, struct work *, long long *length);
 /* The stitches of a list of work; -1: they are open. */
 long long work_length(const struct work *);
 
+/* Whether two lists say the same. */
+bool work_is_same(const struct work *, const struct work *);
+
 /* False after an error: the text contradicts itself. Any width fits what is worked to a marker. */
 bool row_fit(struct diag *, const struct row_text *, struct fit *);
 

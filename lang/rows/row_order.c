@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
  * A list of rows in, the order they are worked in and the side of each out. */
 #include "lang/limits.h"
+#include "lang/rows/row_fit.h"
 #include "lang/rows/row_list.h"
 
 static enum side other_side(enum side side)
@@ -261,18 +262,6 @@ void rows_add_next(struct row_list *list, struct row_text *text)
     }
 }
 
-static bool is_same_work(const struct work *a, const struct work *b)
-{
-    for (; a && b; a = a->next, b = b->next) {
-        if (a->nruns != b->nruns || a->until != b->until || a->n != b->n || !is_same_work(a->child, b->child))
-            return false;
-        for (int i = 0; i < a->nruns; i++)
-            if (a->run[i].length != b->run[i].length || a->run[i].stitch != b->run[i].stitch)
-                return false;
-    }
-    return a == b;
-}
-
 /* The first row worked that has a number and is of the kind a text stands for; or NULL. */
 static const struct row_text *first_of_kind(const struct row_list *list, const struct filler *filler)
 {
@@ -291,7 +280,7 @@ static void doubt_filler(struct row_list *list)
     while (filler && filler->text->worked)
         filler = filler->next;
     given = filler ? first_of_kind(list, filler) : NULL;
-    if (!given || is_same_work(given->work, filler->text->work))
+    if (!given || work_is_same(given->work, filler->text->work))
         return;
     diag_warning(list->diag, CODE_ALL_GIVEN, filler->text->head, "no row is left for this text: each of its kind is given");
     diag_note(list->diag, given->head, "this is the first of them");

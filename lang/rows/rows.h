@@ -48,6 +48,7 @@ struct work {
     bool            told;       /* which was said */
     enum mark_done  mark;       /* no stitch: a marker's place */
     enum marker     marker;     /* WORK_MARKER */
+    const struct within *within;    /* no stitch: a pattern's place; else NULL */
     bool            bare;       /* a group without a number of times: once, or as often as fills the row */
     struct work    *next;
 };
@@ -143,6 +144,12 @@ struct row_texts rows_pattern(struct row_list *, bool going_on);
 
 /* `These 4 rows form the pattern`: they are what `rows_pattern` gives, until rows with numbers follow. */
 void rows_tell(struct row_list *, struct span, struct told);
+
+/* The rows of the part whose first stands at a place; n 0: there is none. */
+struct row_texts rows_of_name(struct row_list *, unsigned first);
+
+/* These are the pattern, until rows with numbers follow; the one at place `next` is worked next. */
+void rows_tell_texts(struct row_list *, struct row_texts, int next);
 
 /* A mark of so many stars behind the rows given so far, and the rows between those last made; false, with a message,
  * where there are none. */
