@@ -9,6 +9,7 @@
 #include "lang/limits.h"
 #include "lang/parse.h"
 #include "lang/scanner.h"
+#include "lang/page/edges.h"
 #include "lang/page/words.h"
 
 #define BLANKS " \t\f\v"
@@ -469,6 +470,23 @@ static bool says_worked(struct span span, unsigned end)
     return false;
 }
 
+/* The edges that a sentence keeps in its rows, `.. until it measures 40 in, keeping 2 sts at each edge in garter st`. */
+static void find_edges(const struct parse *parse, struct span span, unsigned end, struct again *again)
+{
+    const char *fabric;
+
+    for (unsigned at = span.start; parse->facts.knitters && at < end; at++) {
+        if (strchr(".;", parse->text[at]) && parse->text[at + 1] == ' ')
+            return;
+        if (!words_one_of("keeping|with|working|knitting|maintaining", parse->text + at) || parse->text[at - 1] != ' ')
+            continue;
+        again->edges_span = (struct span){span.source, at, at + (unsigned)edges_length(parse->text + at, &again->edges, &fabric)};
+        if (again->edges_span.end > at)
+            return;
+        again->edges.n = 0;
+    }
+}
+
 struct stmt *stmt_again(struct parse *parse, struct span span, struct again again)
 {
     struct stmt *stmt = ast_stmt(parse, STMT_AGAIN, span);
@@ -477,6 +495,7 @@ struct stmt *stmt_again(struct parse *parse, struct span span, struct again agai
     stmt->again = again;
     stmt->again.worked = says_worked(span, end);
     stmt->again.from = named_rows(&parse->named, span.start, end, &stmt->again.several);
+    find_edges(parse, span, end, &stmt->again);
     return stmt;
 }
 

@@ -204,6 +204,8 @@ struct again {
     bool                onwards;        /* "from row 3": and all behind it */
     unsigned            from;           /* where the rows begin whose name is mentioned; 0: none is */
     bool                several;        /* names are mentioned */
+    struct kept_edges   edges;          /* kept in these rows; n 0: none */
+    struct span         edges_span;
     bool                rib;            /* they are to be one */
     int                 ending;         /* "ending with row 2"; 0: not said */
     int                 other_stop;     /* "ending with row 2 or row 4"; 0: no choice */

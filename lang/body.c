@@ -528,17 +528,18 @@ static bool keep_edges(struct eval *eval, const struct stmt *stmt, struct body *
     return true;
 }
 
-/* In these rows alone, where they say so. */
-static bool run_row_edged(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
+/* Rows, or rows again; edges are kept in these alone, where they say so. */
+static bool run_rows(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
     struct row_edges *edges = body->edges;
-    bool good;
+    bool row = stmt->kind == STMT_ROW, good;
+    struct kept_edges kept = row ? stmt->row.edges : stmt->again.edges;
 
-    if (stmt->row.edges.n && !body->top)
+    if (kept.n && !body->top)
         return misplaced(eval, stmt, body);
-    if (stmt->row.edges.n)
-        body->edges = edges_new(eval, stmt->row.edges, stmt->row.edges_span);
-    good = run_row(eval, where, stmt, body);
+    if (kept.n)
+        body->edges = edges_new(eval, kept, row ? stmt->row.edges_span : stmt->again.edges_span);
+    good = row ? run_row(eval, where, stmt, body) : body_again(eval, where, stmt, &stmt->again, body);
     body->edges = edges;
     return good;
 }
@@ -554,8 +555,7 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
             diag_error(eval->diag, CODE_MIXED_MOTIF, stmt->span, "a motif is one chart, or rows");
             return false;
         }
-        return stmt->kind == STMT_ROW ? run_row_edged(eval, *where, stmt, body)
-                                      : body_again(eval, *where, stmt, &stmt->again, body);
+        return run_rows(eval, *where, stmt, body);
     case STMT_CHART:
         return run_chart(eval, *where, stmt, body);
     case STMT_FOR:

@@ -377,13 +377,21 @@ static bool read_sum(struct eval *eval, struct where where, const struct stmt *s
     return false;
 }
 
-/* Rows above a sentence that keeps edges: whether they have them cannot be told. */
+/* Rows above a sentence that keeps edges have them, or those between them, where they are only a pattern yet; of rows that
+ * were worked without it is open. */
 static bool check_edges(struct eval *eval, const struct stmt *stmt, const struct body *body, struct row_texts texts)
 {
-    if (!body->edges || !texts.n || texts.text[0]->edges == body->edges)
+    const struct row_edges *kept = body->edges, *edges = texts.n ? texts.text[0]->edges : NULL;
+
+    if (!kept || !texts.n || (edges && edges->n == kept->n && edges->stitch == kept->stitch))
         return true;
+    if (!edges && !rows_worked(body->rows, texts)) {
+        for (int i = 0; i < texts.n; i++)
+            texts.text[i]->edges = body->edges;
+        return true;
+    }
     diag_error(eval->diag, CODE_STATEMENT, stmt->span, "whether these rows have the edges that are kept is not said");
-    diag_note(eval->diag, body->edges->span, "which are these");
+    diag_note(eval->diag, kept->span, "which are these");
     diag_hint(eval->diag, "write these stitches in each row, at both ends: `K3, .. to last 3 sts, k3`");
     return false;
 }

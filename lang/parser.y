@@ -257,7 +257,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %type <exprs>     exprs exprs_1
 %type <argument>  argument
 %type <arguments> arguments arguments_1
-%type <stmt>      line statement simple if row_statement repeat_statement work_statement
+%type <stmt>      line statement simple if row_statement repeat_statement more_rows work_statement
 %type <stmts>     lines
 %type <name>      name string kind
 %type <names>     names chart_lines
@@ -311,8 +311,9 @@ line:
 ;
 
 statement:
-  simple | if | row_statement | repeat_statement | work_statement
-| work_statement KEPT_EDGES             { $$ = syntax_keeps(parse, $1, @2, $2); }
+  simple | if | row_statement | repeat_statement | more_rows | work_statement
+| work_statement KEPT_EDGES             { $$ = syntax_keeps($1, @2, $2); }
+| repeat_statement KEPT_EDGES           { $$ = syntax_keeps($1, @2, $2); }
 ;
 
 simple:
@@ -594,10 +595,13 @@ repeat_statement:
                                         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | GO_ON_ROWS count more ROW_WORD TOTAL  { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); $$->again.kind = AGAIN_UNTIL_ROWS; }
 | WORK count more ROW_WORD TOTAL           { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); $$->again.kind = AGAIN_UNTIL_ROWS; }
-| WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK count more ROW_WORD MORE         { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK FOR_ROWS count more ROW_WORD     { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
 | WORK_ROWS parts again                 { $$ = stmt_again(parse, @$, syntax_work_again($parts.first, $again)); }
+;
+more_rows:
+  WORK count more ROW_WORD              { $$ = stmt_again(parse, @$, syntax_go_on(@$, $count)); }
+| WORK count more ROW_WORD KEPT_EDGES   { $$ = syntax_keeps(stmt_again(parse, @$, syntax_go_on(@$, $count)), @KEPT_EDGES, $KEPT_EDGES); }
 ;
 pattern: %empty | FOR_PATTERN;
 again:
@@ -660,7 +664,7 @@ work_statement:
 | WORK count more ROW_WORD in FABRIC starting
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting)); }
 | WORK count more ROW_WORD KEPT_EDGES AND FABRIC BETWEEN
-                                        { $$ = syntax_keeps(parse, stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN)), @KEPT_EDGES, $KEPT_EDGES); }
+                                        { $$ = syntax_keeps(stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, SIDE_OPEN)), @KEPT_EDGES, $KEPT_EDGES); }
 | WORK count[rows] more ROW_WORD[round] in FABRIC STARTING count[sofar] ROW_WORD
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $rows, $round, $STARTING)); syntax_rows_so_far(parse, @sofar); (void)$sofar; }
 | WORK count more RIDGES starting       { $$ = stmt_row(parse, @$, syntax_ridges(parse, @$, $count, $starting)); }

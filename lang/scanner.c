@@ -189,6 +189,16 @@ bool scanner_in_row_head(const struct scanner *scanner)
            scanner->statement == TOKEN_AS_ROW;
 }
 
+bool scanner_works_rows(const struct scanner *scanner)
+{
+    static const int works[] = {TOKEN_WORK, TOKEN_GO_ON_ROWS, TOKEN_WORK_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST, TOKEN_REPEAT_THEM};
+
+    for (size_t i = 0; i < sizeof works / sizeof *works; i++)
+        if (scanner->statement == works[i])
+            return true;
+    return false;
+}
+
 bool scanner_takes_colon(const struct scanner *scanner)
 {
     return scanner->statement == TOKEN_ROW || scanner->statement == TOKEN_ALL || scanner->statement == TOKEN_SETUP;

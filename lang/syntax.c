@@ -237,15 +237,15 @@ struct row syntax_total(struct row row)
     return row;
 }
 
-struct stmt *syntax_keeps(struct parse *parse, struct stmt *stmt, struct span span, struct kept_edges edges)
+struct stmt *syntax_keeps(struct stmt *stmt, struct span span, struct kept_edges edges)
 {
     if (stmt->kind == STMT_ROW) {
         stmt->row.edges = edges;
         stmt->row.edges_span = span;
-        return stmt;
+    } else {
+        stmt->again.edges = edges;
+        stmt->again.edges_span = span;
     }
-    diag_error(parse->diag, CODE_STATEMENT, span, "whether the rows above have the edges that are kept is not said");
-    diag_hint(parse->diag, "write these stitches in each row, at both ends: `K3, .. to last 3 sts, k3`");
     return stmt;
 }
 

@@ -29,7 +29,7 @@ struct row syntax_fabric(struct span, struct fabric, struct expr *count, enum si
 struct row syntax_ridges(struct parse *, struct span all, struct expr *count, enum side starting);
 struct row syntax_total(struct row);                                /* so many in all */
 /* `Work 4 rows in st st, keeping 2 sts at each edge in garter st`. */
-struct stmt *syntax_keeps(struct parse *, struct stmt *, struct span, struct kept_edges);
+struct stmt *syntax_keeps(struct stmt *, struct span, struct kept_edges);
 
 struct row syntax_as_others(struct row);
 struct expr *syntax_two_rows(struct parse *, struct span);          /* how many is not said: warns */

@@ -309,7 +309,8 @@ bool scanner_edges(struct scanner *scanner, KNIT_STYPE *value, struct span span,
         return false;
     span.start += (unsigned)(fabric - text);
     span.end = span.start + (unsigned)words_length(fabric);
-    scanner_fabric(scanner, value, span, fabric);
+    if (words_is(fabric, "moss"))
+        scanner_fabric(scanner, value, span, fabric);
     edges.length = (unsigned)length;
     value->edges = edges;
     return true;

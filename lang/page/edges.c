@@ -63,20 +63,22 @@ static const char *skip_in_pattern(const char *text)
 
 size_t edges_length(const char *text, struct kept_edges *edges, const char **fabric)
 {
-    static const char *const keep[] = {"keep", "keeping", "with"};
     const char *at = words_is(text, "always") ? words_next(text) : text;
-    struct said said = {0};
+    bool knitting = words_is(at, "knitting");
+    struct said said = {.fabric = knitting ? at : NULL};
 
-    if (words_find(at, keep, 3) < 0)
+    if (!words_one_of("keep|keeping|with|working|maintaining|knitting", at))
         return 0;
-    for (at = words_next(at); *at && !words_ends_line(*at) && !strchr(".,:", *at); at = words_skip_blanks(at))
+    for (at = words_next(at); *at && !words_ends_line(*at) && !strchr(".,:;", *at) && !words_one_of("until|till|for", at); at = words_skip_blanks(at))
         if (take_word(at, &said))
             at = words_length(at) ? words_next(at) : words_behind_number(at);
+        else if (*at == '-')    /* `a 2-stitch border` */
+            at++;
         else
             return 0;
     if (!said.n || said.n > MOST || !said.stitches || !said.fabric || !(said.side || (said.first && said.last)) || *at == ':')
         return 0;
-    *edges = (struct kept_edges){.n = said.n, .fabric = words_is(said.fabric, "garter") ? FABRIC_GARTER : FABRIC_SEED};
+    *edges = (struct kept_edges){.n = said.n, .fabric = knitting || words_is(said.fabric, "garter") ? FABRIC_GARTER : FABRIC_SEED};
     *fabric = said.fabric;
     return (size_t)(*at == ',' ? skip_in_pattern(words_skip_blanks(at + 1)) - text : at - text);
 }
