@@ -2,6 +2,7 @@
  * A statement that works rows again in, the rows worked out. */
 #include "lang/eval.h"
 #include "lang/page/lengths.h"
+#include "lang/page/words.h"
 #include "lang/limits.h"
 #include "lang/rows/row_labels.h"
 #include "lang/rows/rows.h"
@@ -180,6 +181,38 @@ static void warn_since_when(struct eval *eval, const struct stmt *stmt, const st
         return;
     diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows before these are among the %lld is not said: they are%s", n, total ? " not" : "");
     diag_hint(eval->diag, total ? "`until piece has %lld rows` counts all" : "`for a total of %lld rows` counts these alone", n);
+}
+
+/* Whether one of the words stands in a statement as it was written. */
+static bool has_word(const struct stmt *stmt, const char *list)
+{
+    const char *text = stmt->span.source->text;
+
+    for (unsigned at = stmt->span.start; at < stmt->span.end; at += words_length(text + at) ? (unsigned)words_length(text + at) : 1)
+        if (words_one_of(list, text + at))
+            return true;
+    return false;
+}
+
+/* `Work 4 rows in Box Stitch` right behind the 2 rows of this name: these are what the name means, and the first of the four. */
+static bool counts_named(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body, struct row_texts texts, long long n)
+{
+    if (!again->from || again->which != AGAIN_GO_ON || again->kind != AGAIN_ROWS || n <= texts.n || !has_word(stmt, "work") || has_word(stmt, "more|further|another|continue|cont") ||
+        !rows_just_worked(body->rows, texts))
+        return false;
+    diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows above are among the %lld is not said: they are", n);
+    diag_hint(eval->diag, "`Continue in .. for %lld rows` counts those that follow; a pattern's rows before the cast-on are not worked there", n);
+    return true;
+}
+
+/* What is repeated `in this way` behind rows without numbers are these, not the pattern before them. */
+static bool check_manner(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body, struct row_texts texts)
+{
+    if (again->which != AGAIN_GO_ON || again->from || texts.told || !rows_passed(body->rows, texts) || !has_word(stmt, "way|manner|fashion|like this"))
+        return true;
+    diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "which rows are meant is not said: rows without numbers stand behind those that have them");
+    diag_hint(eval->diag, "`Repeat the last 2 rows 3 more times`; or `Continue in pattern for 6 rows`, by the rows with numbers");
+    return false;
 }
 
 /* `Repeat these 2 rows for 12 rows`, right behind them: whether they are among the 12 is not said. */
@@ -419,8 +452,11 @@ bool body_again(struct eval *eval, struct where where, const struct stmt *stmt, 
         return false;
     if (!read_sum(eval, where, stmt, again, body, texts, &n))
         return false;
+    if (!check_manner(eval, stmt, again, body, texts))
+        return false;
     rows_both_sides(body->rows, texts);
     warn_since_when(eval, stmt, again, body, texts, n);
+    described |= counts_named(eval, stmt, again, body, texts, n);
     described |= counts_above(eval, where, stmt, again, body, texts.n, &said);
     if (!described && !said && !again->then)
         warn_more_rows(eval, stmt, again, body, texts, n);

@@ -75,7 +75,7 @@ int scanner_no_stitches(struct scanner *scanner, struct span span, const char *w
 {
     if (scanner->previous == TOKEN_NUMBER && !word[1] && strchr("oOlI", *word))
         return scanner_scanned(scanner, span);
-    if (words_is(word, "pegs") && scanner->parse->facts.pegs)
+    if (words_is(word, "pegs") && (scanner->parse->facts.pegs || scanner->parse->facts.rounds))
         return scanner_token(scanner, TOKEN_STS);
     if (!words_is(word, "needles") && !words_is(word, "pegs"))
         return syntax_unknown_word(scanner->parse, span, "a number of sts");
