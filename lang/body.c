@@ -8,6 +8,7 @@
 #include "lang/eval.h"
 #include "lang/limits.h"
 #include "lang/lower.h"
+#include "lang/page/endings.h"
 #include "lang/rows/row_fit.h"
 #include "lang/rows/row_labels.h"
 #include "lang/rows/row_markers.h"
@@ -528,6 +529,25 @@ static bool keep_edges(struct eval *eval, const struct stmt *stmt, struct body *
     return true;
 }
 
+/* Warns where so many rows are said to end on the other side than they do; until a length they end there. */
+static void check_end(struct eval *eval, const struct stmt *stmt, const struct body *body)
+{
+    const struct source *source = stmt->span.source;
+    enum side side, last;
+    struct span words = {source, 0, 0};
+    bool counted = stmt->kind == STMT_ROW ? stmt->row.count && !stmt->row.measured
+                                          : stmt->again.kind != AGAIN_PATTERN && stmt->again.kind != AGAIN_LENGTH && stmt->again.kind != AGAIN_PART_LENGTH;
+
+    if (!body->top || !counted)
+        return;
+    side = endings_side(source->text, stmt->span.start, stmt->span.end, &words.start, &words.end);
+    last = rows_last_side(body->rows);
+    if (!side || !last || side == last)
+        return;
+    diag_warning(eval->diag, CODE_END_SIDE, words, "the last of these rows is a %s row", last == SIDE_RS ? "RS" : "WS");
+    diag_hint(eval->diag, "the number of rows counts: one more, or one less, ends on the other side");
+}
+
 /* Rows, or rows again; edges are kept in these alone, where they say so. */
 static bool run_rows(struct eval *eval, struct where where, const struct stmt *stmt, struct body *body)
 {
@@ -541,6 +561,8 @@ static bool run_rows(struct eval *eval, struct where where, const struct stmt *s
         body->edges = edges_new(eval, kept, row ? stmt->row.edges_span : stmt->again.edges_span);
     good = row ? run_row(eval, where, stmt, body) : body_again(eval, where, stmt, &stmt->again, body);
     body->edges = edges;
+    if (good)
+        check_end(eval, stmt, body);
     return good;
 }
 

@@ -103,7 +103,8 @@
     X(CODE_ROWS_ABOVE,      914, "more rows that are said to be the pattern than are above") \
     X(CODE_WRONG_SIDE,      915, "a row 1 that falls on the wrong side, with no side said of it") \
     X(CODE_EDGES,           916, "edges that are kept beside the rows below") \
-    X(CODE_ALL_GIVEN,       917, "a text for all rows of a kind, each of which is given")
+    X(CODE_ALL_GIVEN,       917, "a text for all rows of a kind, each of which is given") \
+    X(CODE_END_SIDE,        918, "rows that are said to end on the other side")
 
 enum diag_code {
 #define X(name, number, about) name = number,

@@ -45,7 +45,7 @@ EXTRA_DIST += $(golden_tests) tests/golden/dump.sh tests/golden/pasted \
     tests/golden/defaults.knit \
     tests/golden/edges.knit tests/golden/edges.expected tests/golden/edges_too_wide.knit \
     tests/golden/edges_too_wide.expected \
-    tests/golden/empty.knit \
+    tests/golden/empty.knit tests/golden/ending.knit tests/golden/ending.expected \
     tests/golden/grid_file.knit \
     tests/golden/grid_file_plain.knit \
     tests/golden/html_file.knit \
