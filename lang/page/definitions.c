@@ -157,10 +157,20 @@ static bool find_rows_beside(const char *line, struct definition *found)
     return found->stitches && !found->part && found->stitches - line > (long)strlen(row_1);
 }
 
+/* Behind `Pattern stitch:`, `Stitch pattern:`, where a name follows on the line; or the line itself. */
+static const char *behind_label(const char *line)
+{
+    size_t n = words_one_of("pattern stitch|stitch pattern|main pattern|pattern|stitch", line);
+    const char *name = words_skip_blanks(line + n + (line[n] == ':'));
+
+    return n && line[n] == ':' && isalpha((unsigned char)*name) && !words_row(name) && !prose_stitches_follow(name) ? name : line;
+}
+
 struct definition definitions_read(const char *line)
 {
     struct definition found = {0};
 
+    line = behind_label(line);
     if (words_row(line) || behind_all_rows(line) || is_about_rows(line))
         return found;
     found = name_of(line);

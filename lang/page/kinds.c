@@ -140,11 +140,15 @@ static size_t numbered_length(const char *text, char plain[static SIGNS_PLAIN])
 size_t kinds_added(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     size_t close = strcspn(text + at, ")\r\n");
-    const char *every = text + at + 1, *rows = words_skip_any(every, "and|every|each|all|following|foll|other|alternate|alt|second");
+    const char *every = text + at + 1, *rows = words_skip_any(every, "and|every|each|all|following|foll|other|alternate|alt|second|even-numbered|odd-numbered|even|odd|numbered"), *end, *behind;
 
-    if (text[at + close] != ')' || close + 2 > SIGNS_PLAIN || !words_one_of("and every|and each|and all|and following|and foll|and alt|and alternate", every) || !words_are_rows(rows) || words_next(rows) != text + at + close)
+    if (text[at + close] != ')' || close + 2 > SIGNS_PLAIN || !words_one_of("and every|and each|and all|and following|and foll|and alt|and alternate", every) || !words_are_rows(rows))
         return 0;
-    snprintf(plain, SIGNS_PLAIN, " %.*s", (int)close - 1, every);
+    end = rows + words_length(rows);
+    behind = words_skip_any(end, ",|rs|ws|right side|wrong side");
+    if (behind != text + at + close || (words_skip_blanks(end) == behind && words_skip_any(every, "and|every|each|all|even-numbered|odd-numbered|even|odd|numbered") == rows))
+        return 0;       /* such a bracket is the language's own */
+    snprintf(plain, SIGNS_PLAIN, " %.*s", (int)(end - every), every);
     return close + 1;
 }
 
