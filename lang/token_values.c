@@ -417,7 +417,14 @@ static size_t piece_length(const char *text)
     return n ? n : 1;
 }
 
-bool scanner_told(KNIT_STYPE *value, const char *sentence)
+/* `repeat them twice more` behind `Rows 3 and 4 form the moss`: they alone, whatever they form. */
+static bool them_again(const char *text)
+{
+    text += strspn(text, ".;, ");
+    return words_are(text, WORDS_AGAIN) && words_is(words_next(text), "them");
+}
+
+bool scanner_told(KNIT_STYPE *value, const char *sentence, const char *behind)
 {
     static const char *const between[] = {"to", "and", "through"}, *const pattern[] = {"pat", "patt", "pattern", "rep", "repeat", "motif", "design"};
     struct told told = {0};
@@ -439,5 +446,6 @@ bool scanner_told(KNIT_STYPE *value, const char *sentence)
         verb |= rows && words_length(at) && !n && words_find(at, between, 3) < 0;
         rows |= words_are_rows(at);
     }
-    return false;
+    value->told = told;
+    return verb && them_again(behind) && (told.n || (told.first && told.first <= told.last));
 }

@@ -43,7 +43,7 @@ void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *tex
 void scanner_measure(struct scanner *, KNIT_STYPE *, struct span, const char *phrase);
 
 /* `These 4 rows form the pattern`, `rows 3-4 set the patt`; false: they form something else. */
-bool scanner_told(KNIT_STYPE *, const char *sentence);
+bool scanner_told(KNIT_STYPE *, const char *sentence, const char *behind);
 
 /* Sets it where a side is among the words. */
 bool scanner_remark(KNIT_STYPE *, const char *text);

@@ -360,27 +360,37 @@ static size_t table_length(const char *text)
     return memchr(text, '*', line) || (prose_stitches_follow(text + next) && numbers) ? 0 : line;
 }
 
+/* `knit 4 rows`, `beginning with a knit row work ..`. */
+static bool work_follows(const char *text)
+{
+    static const char *const work[] = {"knit", "purl", "k", "p", "work", "rep", "repeat", "continue", "cont"},
+                             *const begin[] = {"beg", "begin", "beginning", "start", "starting", "commencing"};
+
+    return words_find(text, work, sizeof work / sizeof *work) >= 0 ||
+           (words_find(text, begin, sizeof begin / sizeof *begin) >= 0 && words_is(words_next(text), "with"));
+}
+
 /* How long `Using smaller needles,` is before work, `Change to 4.5mm needles and` before `knit 4 rows`; or 0. */
 static size_t needles_length(const char *text)
 {
     static const char *const lead[] = {"with", "using", "on", "change", "changing", "switch"}, *const needles[] = {"needle", "needles", "pins"},
-                             *const work[] = {"knit", "purl", "k", "p", "work", "rep", "repeat", "continue", "cont"}, *const then[] = {"and", "then"};
+                             *const then[] = {"and", "then"};
     size_t at = words_length(text), n;
 
     if (words_find(text, lead, sizeof lead / sizeof *lead) < 0)
         return 0;
     for (; at < NEEDLES && text[at] && words_find(text + at, needles, 3) < 0; at += n ? n : 1) {
         n = words_length(text + at);
-        if (n ? words_find(text + at, work, sizeof work / sizeof *work) >= 0 : strchr(":;\r\n*", text[at]) != NULL)
+        if (n ? work_follows(text + at) : strchr(":;\r\n*", text[at]) != NULL)
             return 0;
     }
     if (at >= NEEDLES || !text[at])
         return 0;
     at += words_length(text + at);
-    at += strspn(text + at, ", \t");
+    at += strspn(text + at, "., \t");
     while (words_find(text + at, then, 2) >= 0)
-        at += words_length(text + at), at += strspn(text + at, " \t");
-    return words_find(text + at, work, sizeof work / sizeof *work) >= 0 ? at : 0;
+        at += words_length(text + at), at += strspn(text + at, ", \t");
+    return work_follows(text + at) ? at : 0;
 }
 
 size_t heads_length(const char *text, bool inside, bool *stop)
