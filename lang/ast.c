@@ -487,6 +487,15 @@ static void find_edges(const struct parse *parse, struct span span, unsigned end
     }
 }
 
+/* `until 60 rows of pattern are complete`: of the pattern, not of the piece. */
+static bool counts_pattern(const char *text, unsigned start, unsigned end)
+{
+    for (; start < end; start += words_length(text + start) ? (unsigned)words_length(text + start) : 1)
+        if (words_one_of("rows of pattern|rows of patt|rows of pat|rows of the pattern|rows in pattern|rows in patt", text + start))
+            return true;
+    return false;
+}
+
 struct stmt *stmt_again(struct parse *parse, struct span span, struct again again)
 {
     struct stmt *stmt = ast_stmt(parse, STMT_AGAIN, span);
@@ -496,6 +505,8 @@ struct stmt *stmt_again(struct parse *parse, struct span span, struct again agai
     stmt->again.worked = says_worked(span, end);
     stmt->again.from = named_rows(&parse->named, span.start, end, &stmt->again.several);
     find_edges(parse, span, end, &stmt->again);
+    if (stmt->again.kind == AGAIN_UNTIL_ROWS && stmt->again.which == AGAIN_GO_ON && counts_pattern(parse->text, span.start, end))
+        stmt->again.kind = AGAIN_TOTAL_ROWS;
     return stmt;
 }
 

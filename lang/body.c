@@ -587,7 +587,7 @@ static bool run(struct eval *eval, struct where *where, const struct stmt *stmt,
     case STMT_CAST_ON:
         return run_cast_on(eval, *where, stmt, body);
     case STMT_PATTERN:
-        if (body_works_between(body))
+        if (body_works_between(body, 0))
             body_tell_pattern(body);
         else
             rows_tell(body->rows, stmt->span, stmt->told);

@@ -149,6 +149,8 @@ static bool choose_rows(struct eval *eval, const struct stmt *stmt, const struct
                        : again->which != AGAIN_LAST && rows_to_choose(body->rows) ? "several patterns are above: which is meant is not said"
                                                                          : NULL;
 
+    if (again->from && again->which == AGAIN_GO_ON && body_works_between(body, again->from))
+        return true;
     if (!what || (!again->several && again->from && again->which != AGAIN_LAST && rows_choose(body->rows, stmt->span, again->from)))
         return true;
     diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "%s", what);
@@ -302,6 +304,8 @@ static long long left_to_work(const struct again *again, struct body *body, stru
         return n && among ? n - 1 : n;
     case AGAIN_ROWS:
     case AGAIN_TOTAL_ROWS:
+        if (again->kind == AGAIN_TOTAL_ROWS && again->which == AGAIN_GO_ON)
+            return n > rows_gone_on(body->rows, texts) ? n - rows_gone_on(body->rows, texts) : 0;
         if (!(again->kind == AGAIN_ROWS ? described : among))
             return n;
         return n > texts.n ? n - texts.n : 0;
@@ -416,7 +420,7 @@ static bool check_edges(struct eval *eval, const struct stmt *stmt, const struct
 {
     const struct row_edges *kept = body->edges, *edges = texts.n ? texts.text[0]->edges : NULL;
 
-    if (!kept || !texts.n || (edges && edges->n == kept->n && edges->stitch == kept->stitch))
+    if (!kept || !texts.n || texts.text[0]->flanked || (edges && edges->n == kept->n && edges->stitch == kept->stitch))
         return true;
     if (!edges && !rows_worked(body->rows, texts)) {
         for (int i = 0; i < texts.n; i++)

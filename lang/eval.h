@@ -218,10 +218,11 @@ void body_statement(struct eval *, struct where, const struct stmt *, struct bod
 bool body_again(struct eval *, struct where, const struct stmt *, const struct again *, struct body *);
 
 /* body_pattern.c: the text of a row that works a pattern between other stitches, NULL after an error; that the pattern's rows
- * between these are the pattern from here on; whether one of them was worked last */
+ * between these are the pattern from here on; whether one of them was worked last,
+ * where these begin at a place, 0: at any */
 struct row_text *body_of_pattern(struct eval *, struct where, const struct row *, struct body *);
 void body_tell_pattern(struct body *);
-bool body_works_between(struct body *);
+bool body_works_between(struct body *, unsigned from);
 
 /* stitches.c: kinds of stitches */
 enum { STITCH_KEYS = 5 };       /* kx, ky, twist, symbol, ws */

@@ -426,7 +426,7 @@ static bool them_again(const char *text)
 
 bool scanner_told(KNIT_STYPE *value, const char *sentence, const char *behind)
 {
-    static const char *const between[] = {"to", "and", "through"}, *const pattern[] = {"pat", "patt", "pattern", "rep", "repeat", "motif", "design"};
+    static const char *const between[] = {"to", "and", "through"}, *const pattern[] = {"pat", "patt", "pattern", "rep", "repeat", "motif", "design", "stitch", "st", "rib", "fabric"};
     struct told told = {0};
     bool rows = false, verb = false;
 

@@ -313,6 +313,15 @@ enum side rows_last_side(const struct row_list *list)
     return list->norder && !list->round ? row_list_side(list, list->norder - 1) : SIDE_OPEN;
 }
 
+int rows_gone_on(const struct row_list *list, struct row_texts texts)
+{
+    int n = 0;
+
+    while (texts.n && n < list->norder && list->order[list->norder - 1 - n] == texts.text[texts.n - 1 - n % texts.n])
+        n++;
+    return n;
+}
+
 bool rows_just_worked(const struct row_list *list, struct row_texts texts)
 {
     int first = list->norder - texts.n;

@@ -83,6 +83,7 @@ struct row_text {
     bool         shaped;        /* for a stitch that was refused: how many there are behind it is not known */
     bool         seen;
     bool         worked;        /* at least once */
+    bool         flanked;       /* a pattern's row between other stitches, its edges among them */
     int          drawn[3];      /* 1 + the grid row that shows it, by side; 0: none */
 };
 
@@ -185,6 +186,9 @@ bool rows_come_before(const struct row_list *, struct row_texts, bool unnumbered
 
 /* Whether the first of these was worked. */
 bool rows_worked(const struct row_list *, struct row_texts);
+
+/* How many of the rows worked last are of these, which go on with the first: they end with the last of them. */
+int rows_gone_on(const struct row_list *, struct row_texts);
 
 /* Whether these are the rows worked last, and not twice. */
 bool rows_just_worked(const struct row_list *, struct row_texts);
