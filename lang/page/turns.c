@@ -230,8 +230,6 @@ const struct phrase turns_of_pages[] = {
     {"cont|continue|work until|till # repeats|reps|repetitions of the|these #? rows|rounds|rnds have|are been? worked|completed|done", "rep them # times in all"},
     {"repeat|rep them|these|this|it until|till # patt|pattern rows have|are been? worked|done|completed|made", "rep them for # rows in all"},
     {"; work them|these =once|twice|#", "; rep them"},
-    {"=rows|row in knit stitch|st again?", "in garter st"},
-    {"^ row|rows multiple|repeat|count : =#", "notes:"},
     {"^ # rounds|rnds knit", "knit # rnds"},
     {"^ # rounds|rnds purl", "purl # rnds"},
     {"! work a total of # rows in|of the? patt|pat|pattern", "rep them for # rows in all"},

@@ -106,7 +106,7 @@ const struct phrase turns_of_books[] = {
     {"change|changing|cont|continue|proceed to|in|into|with stocking|stockinette|st st|stitch ,? and? beg|beginning|start|starting|commencing with a? p|purl row ,? and? work # rows", "beg with p, work # rows st st"},
     {"=beg|begin|beginning|start|starting|commencing =with =a|an? =k|p|knit|purl =row , =for|until|till", ""},
     {"! now|next|then =,? =beg|begin|beginning|start|starting|commencing =with =a|an? =k|p|knit|purl =row", ""},
-    {"=work # rows in|of knit|plain stitch|stitches|st", "# rows garter"},
+    {"=work # rows in|of knit|plain stitch|stitches|st again?", "# rows garter"},
 
     /* rows told, and how often they are worked */
     {"work them =#|twice|once|thrice =times|time|x? =more|again", "rep them"},
