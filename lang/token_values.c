@@ -303,7 +303,7 @@ bool scanner_edges(struct scanner *scanner, KNIT_STYPE *value, struct span span,
 {
     struct kept_edges edges;
     const char *fabric;
-    size_t length = scanner->section || !words_are_page(scanner->parse->text, scanner->parse->source->size) ? 0 : edges_length(text, &edges, &fabric);
+    size_t length = scanner->section || !scanner->parse->facts.page ? 0 : edges_length(text, &edges, &fabric);
 
     if (!length)
         return false;

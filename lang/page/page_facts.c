@@ -237,6 +237,7 @@ struct page_facts page_facts_read(const char *text, size_t size)
 
     if (!words_are_page(text, size))
         return facts;
+    facts.page = true;
     facts.knitters = is_knitters(text, size);
     facts.first = page_sides(text, &facts.begins);
     facts.gauge = lengths_gauge(text, &facts.gauge_from, &facts.gauge_to);

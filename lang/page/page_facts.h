@@ -7,6 +7,7 @@
 #include "lang/page/edge_stitches.h"
 
 struct page_facts {
+    bool      page;         /* the text is as much as a page has (words.h), */
     bool      knitters;     /* rows in a knitter's words, and no statement of the language's own */
     bool      rounds;       /* the stitches are joined before the rows: what is called a row is a round */
     enum side first;        /* the side of row 1; open: nothing is said of it, or both; */
