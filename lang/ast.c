@@ -478,7 +478,7 @@ static void find_edges(const struct parse *parse, struct span span, unsigned end
     for (unsigned at = span.start; parse->facts.knitters && at < end; at++) {
         if (strchr(".;", parse->text[at]) && parse->text[at + 1] == ' ')
             return;
-        if (!words_one_of("keeping|with|working|knitting|maintaining", parse->text + at) || parse->text[at - 1] != ' ')
+        if (at == span.start || parse->text[at - 1] != ' ')
             continue;
         again->edges_span = (struct span){span.source, at, at + (unsigned)edges_length(parse->text + at, &again->edges, &fabric)};
         if (again->edges_span.end > at)

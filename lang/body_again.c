@@ -298,6 +298,7 @@ static bool counts_above(struct eval *eval, struct where where, const struct stm
 static long long left_to_work(const struct again *again, struct body *body, struct row_texts texts, long long n, bool described)
 {
     bool among = again->bracketed || rows_just_worked(body->rows, texts);
+    int above = 0;
 
     switch (again->kind) {
     case AGAIN_TOTAL:
@@ -305,10 +306,10 @@ static long long left_to_work(const struct again *again, struct body *body, stru
     case AGAIN_ROWS:
     case AGAIN_TOTAL_ROWS:
         if (again->kind == AGAIN_TOTAL_ROWS && again->which == AGAIN_GO_ON)
-            return n > rows_gone_on(body->rows, texts) ? n - rows_gone_on(body->rows, texts) : 0;
-        if (!(again->kind == AGAIN_ROWS ? described : among))
-            return n;
-        return n > texts.n ? n - texts.n : 0;
+            above = rows_gone_on(body->rows, texts);
+        else if (again->kind == AGAIN_ROWS ? described : among)
+            above = texts.n;
+        return n > above ? n - above : 0;
     case AGAIN_LENGTH:
     case AGAIN_PART_LENGTH:
         return rows_to_length(again, body, texts, n);

@@ -67,7 +67,8 @@ static struct row_text *make_row(struct eval *eval, const struct row_text *text,
     struct row_text *made = arena_new(eval->arena, struct row_text);
     long long behind = work_length(flanks.behind);
 
-    *made = (struct row_text){.round = text->round, .check = -1, .span = text->span, .head = text->head, .marked = text->marked, .failed = text->failed, .flanked = true};
+    *made = (struct row_text){.round = text->round, .check = -1, .span = text->span, .head = text->head, .marked = text->marked, .failed = text->failed,
+                              .flanked = true};
     made->work = copy_work(eval, flanks.before, 0);
     append(&made->work, text->as_below || text->as_opposite ? work_below(eval, text) : copy_work(eval, text->work, behind));
     append(&made->work, copy_work(eval, flanks.behind, 0));
@@ -97,15 +98,15 @@ static bool part_work(struct work *work, struct flanks *flanks, const struct wit
 }
 
 /* Whether both flanks have so many stitches, and the last are those that the pattern leaves. */
-static bool check_flanks(struct eval *eval, struct span span, struct flanks *flanks, const struct within *within)
+static bool check_flanks(struct eval *eval, struct span span, struct flanks flanks, const struct within *within)
 {
-    long long before, behind;
+    long long behind;
 
-    if (!work_measure(eval->diag, flanks->before, &before) || !work_measure(eval->diag, flanks->behind, &behind))
+    if (!work_measure(eval->diag, flanks.before, &behind) || !work_measure(eval->diag, flanks.behind, &behind))
         return false;
-    if ((flanks->before && work_length(flanks->before) < 0) || (flanks->behind && work_length(flanks->behind) < 0))
+    behind = work_length(flanks.behind);
+    if (behind < 0 || work_length(flanks.before) < 0)
         return refuse(eval, span, "how many stitches stand beside the pattern is not said");
-    behind = flanks->behind ? work_length(flanks->behind) : 0;
     if (!within->last || behind == within->last)
         return true;
     diag_error(eval->diag, CODE_ROW_COUNT, span, "the pattern leaves %d stitch%s, and %lld are worked behind it", within->last, within->last == 1 ? "" : "es", behind);
@@ -179,14 +180,14 @@ struct row_text *body_of_pattern(struct eval *eval, struct where where, const st
         refuse(eval, row->body_span, "a pattern stands once in a row, and in no repeat");
         return NULL;
     }
-    if (!check_flanks(eval, row->body_span, &flanks, within) || !find_pattern(eval, row, body))
+    if (!check_flanks(eval, row->body_span, flanks, within) || !find_pattern(eval, row, body))
         return NULL;
     place = place_of(eval, row, body->between, within);
     if (place < 0 || !set_flanks(eval, row, body->between, flanks, place))
         return NULL;
     text = body->between->made.text[place];
     if (within->over)
-        text->check = within->over + (flanks.before ? work_length(flanks.before) : 0) + (flanks.behind ? work_length(flanks.behind) : 0);
+        text->check = within->over + work_length(flanks.before) + work_length(flanks.behind);
     text->check_span = row->body_span;
     text->side = row->side ? row->side : text->side;
     text->head = row->head;

@@ -115,8 +115,10 @@ int scanner_begin_bare(struct scanner *, KNIT_STYPE *, struct span *);
 /* Whether what comes next is a line of the page's chart, the name of the rows below it, or describes a rib. */
 bool scanner_is_text(struct scanner *);
 
+/* Whether a sentence is read that works rows of a fabric, or rows again. */
+bool scanner_works_rows(const struct scanner *);
+
 /* Whether a text keeps edges in a fabric of their own. */
-bool scanner_works_rows(const struct scanner *);    /* in a sentence that works rows of a fabric, or rows again */
 bool scanner_edges(struct scanner *, KNIT_STYPE *, struct span, const char *text);
 
 /* The bytes of `work row 1 of pattern to last 4 sts`; alone in a row only where it says how far, or which row. */

@@ -42,7 +42,8 @@ void scanner_fabric(struct scanner *, KNIT_STYPE *, struct span, const char *tex
 /* `until piece measures 8 in`: how many rows that is, where the page says so. */
 void scanner_measure(struct scanner *, KNIT_STYPE *, struct span, const char *phrase);
 
-/* `These 4 rows form the pattern`, `rows 3-4 set the patt`; false: they form something else. */
+/* `These 4 rows form the pattern`, `rows 3-4 set the patt`; false: they form something else, and `behind` it they
+ * are not worked again. */
 bool scanner_told(KNIT_STYPE *, const char *sentence, const char *behind);
 
 /* Sets it where a side is among the words. */

@@ -139,21 +139,9 @@ size_t fabrics_alternate(const char *text, size_t at, char plain[static SIGNS_PL
     return strlen(plain) <= (size_t)(number - text) - at ? (size_t)(number - text) - at : 0;
 }
 
-/* Behind `starting with a knit row,`, and its stitch; 0 and the text itself: another text. */
-static const char *behind_first_row(const char *text, char *stitch)
-{
-    size_t n = words_one_of("starting|beginning|commencing|beg|begin|start", text), verb;
-    const char *knit = words_skip_any(text + n, "with|on|a|the");
-
-    verb = n ? words_one_of("knit|k|purl|p", knit) : 0;
-    *stitch = verb && words_one_of("row|rnd", words_skip_blanks(knit + verb)) ? (char)tolower((unsigned char)*knit) : '\0';
-    return *stitch ? words_skip_any(knit + verb, "row|rnd|,") : text;
-}
-
 size_t fabrics_changed(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
-    const char *verb = text + at, *fabric, *behind, *work, *rows, *end;
-    char first;
+    const char *verb = text + at, *fabric, *behind, *work, *rows;
     size_t n = words_one_of("change|changing|switch|begin|start|proceed", verb);
 
     if (!n || !strchr("\r\n.;:", words_sign_before(text, at, " \t")))
@@ -163,16 +151,9 @@ size_t fabrics_changed(const char *text, size_t at, char plain[static SIGNS_PLAI
     if (behind == fabric)
         return 0;
     work = words_skip_any(behind, ".|:|,|;|and|then|now");
-    work = behind_first_row(work, &first);
     rows = words_skip_any(work, "work|knit|continue|for");
     if (work == behind || rows == work || !prose_rows_follow(rows))
         return 0;
-    if (first) {
-        end = words_behind_number(rows);
-        end += words_length(end);
-        snprintf(plain, SIGNS_PLAIN, "st st %d rows beg on %c row", words_number(rows), first);
-        return words_one_of("stockinette|stocking|st st", fabric) && strlen(plain) <= (size_t)(end - text) - at ? (size_t)(end - text) - at : 0;
-    }
     for (n = (size_t)(behind - fabric); n > 0 && fabric[n - 1] == ' ';)
         n--;
     n -= n > 6 && strncasecmp(fabric + n - 6, "stitch", 6) == 0 ? 4 : 0;

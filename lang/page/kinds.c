@@ -140,7 +140,7 @@ static size_t numbered_length(const char *text, char plain[static SIGNS_PLAIN])
 size_t kinds_added(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     size_t close = strcspn(text + at, ")\r\n");
-    const char *every = text + at + 1, *rows = words_skip_any(every, "and|every|each|all|following|foll|other|alternate|alt|second|even-numbered|odd-numbered|even|odd|numbered"), *end, *behind;
+    const char *every = text + at + 1, *rows = words_skip_any(every, "and|every|each|all|following|foll|other|alternate|alt|second|even-numbered|odd-numbered|even|odd|numbered"), *end, *behind, *side;
 
     if (text[at + close] != ')' || close + 2 > SIGNS_PLAIN || !words_one_of("and every|and each|and all|and following|and foll|and alt|and alternate", every) || !words_are_rows(rows))
         return 0;
@@ -148,7 +148,8 @@ size_t kinds_added(const char *text, size_t at, char plain[static SIGNS_PLAIN])
     behind = words_skip_any(end, ",|rs|ws|right side|wrong side");
     if (behind != text + at + close || (words_skip_blanks(end) == behind && words_skip_any(every, "and|every|each|all|even-numbered|odd-numbered|even|odd|numbered") == rows))
         return 0;       /* such a bracket is the language's own */
-    snprintf(plain, SIGNS_PLAIN, " %.*s", (int)(end - every), every);
+    side = words_skip_any(end, ",");
+    snprintf(plain, SIGNS_PLAIN, side < behind ? "(%cS) %.*s" : "%c%.*s", side < behind ? toupper((unsigned char)*side) : ' ', (int)(end - every), every);
     return close + 1;
 }
 

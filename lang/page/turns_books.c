@@ -102,8 +102,8 @@ const struct phrase turns_of_books[] = {
 
     /* a fabric changed to, and with which row it begins */
     {"=needles|needle|mm ,|;? and =in =st|stocking|stockinette =st|stitch ,? =work =#", "."},
-    {"change|changing|cont|continue|proceed to|in|into|with stocking|stockinette|st st|stitch ,? and? beg|beginning|start|starting|commencing with a? k|knit row ,? and? work # rows", "beg with k, work # rows st st"},
-    {"change|changing|cont|continue|proceed to|in|into|with stocking|stockinette|st st|stitch ,? and? beg|beginning|start|starting|commencing with a? p|purl row ,? and? work # rows", "beg with p, work # rows st st"},
+    {"change|changing|cont|continue|proceed to|in|into|with stocking|stockinette|st st|stitch ,? and? ,? beg|beginning|start|starting|commencing with a? k|knit row ,? and? work # rows", "beg with k, work # rows st st"},
+    {"change|changing|cont|continue|proceed to|in|into|with stocking|stockinette|st st|stitch ,? and? ,? beg|beginning|start|starting|commencing with a? p|purl row ,? and? work # rows", "beg with p, work # rows st st"},
     {"=beg|begin|beginning|start|starting|commencing =with =a|an? =k|p|knit|purl =row , =for|until|till", ""},
     {"! now|next|then =,? =beg|begin|beginning|start|starting|commencing =with =a|an? =k|p|knit|purl =row", ""},
     {"=work # rows in|of knit|plain stitch|stitches|st again?", "# rows garter"},
@@ -115,9 +115,6 @@ const struct phrase turns_of_books[] = {
 
     /* what is said above them */
     {"=row|rnd|round =# : right side :", "(RS):"},
-    {"=row|rnd|round =# ( and|& all|every|each other|following? odd -? numbered? rows|row|rnds|rounds , rs|right side? )", "(RS) and all odd rows"},
-    {"=row|rnd|round =# ( and|& all|every|each other|following? even -? numbered? rows|row|rnds|rounds , ws|wrong side? )", "(WS) and all even rows"},
-    {"=row|rnd|round =# ( and|& all|every|each other|following? odd -? numbered? rows|row|rnds|rounds , ws|wrong side? )", "(WS) and all odd rows"},
     {"=row|rnd|round =# ( rs ,? and|& all|every|each other|following? rs rows|row )", "(RS) and all RS rows"},
     {"=row|rnd|round =# ( ws ,? and|& all|every|each other|following? ws rows|row )", "(WS) and all WS rows"},
     {"=row|rnd|round =# : wrong side :", "(WS):"},
