@@ -8,7 +8,7 @@
 #include "lang/eval.h"
 #include "lang/limits.h"
 #include "lang/lower.h"
-#include "lang/page/endings.h"
+#include "lang/page/lengths.h"
 #include "lang/rows/row_fit.h"
 #include "lang/rows/row_labels.h"
 #include "lang/rows/row_markers.h"
@@ -532,19 +532,20 @@ static bool keep_edges(struct eval *eval, const struct stmt *stmt, struct body *
 /* Warns where so many rows are said to end on the other side than they do; until a length they end there. */
 static void check_end(struct eval *eval, const struct stmt *stmt, const struct body *body)
 {
-    const struct source *source = stmt->span.source;
-    enum side side, last;
-    struct span words = {source, 0, 0};
+    const char *text = stmt->span.source->text;
+    unsigned end = stmt->span.end;
+    enum side last = rows_last_side(body->rows);
+    int ending, other;
     bool counted = stmt->kind == STMT_ROW ? stmt->row.count && !stmt->row.measured
                                           : stmt->again.kind != AGAIN_PATTERN && stmt->again.kind != AGAIN_LENGTH && stmt->again.kind != AGAIN_PART_LENGTH;
 
-    if (!body->top || !counted)
+    if (!body->top || !counted || !last)
         return;
-    side = endings_side(source->text, stmt->span.start, stmt->span.end, &words.start, &words.end);
-    last = rows_last_side(body->rows);
-    if (!side || !last || side == last)
+    end += (unsigned)strcspn(text + end, ".;\r\n");
+    ending = lengths_ending(arena_copy(eval->arena, text + stmt->span.start, end - stmt->span.start), &other);
+    if (ending != (last == SIDE_RS ? ENDING_WS : ENDING_RS))
         return;
-    diag_warning(eval->diag, CODE_END_SIDE, words, "the last of these rows is a %s row", last == SIDE_RS ? "RS" : "WS");
+    diag_warning(eval->diag, CODE_END_SIDE, stmt->span, "the last of these rows is a %s row, not a %s row as is said", last == SIDE_RS ? "RS" : "WS", last == SIDE_RS ? "WS" : "RS");
     diag_hint(eval->diag, "the number of rows counts: one more, or one less, ends on the other side");
 }
 

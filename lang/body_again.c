@@ -173,13 +173,14 @@ static bool check_rib(struct eval *eval, const struct stmt *stmt, const struct b
     return true;
 }
 
-/* `until 20 rows have been worked`, `for a total of 20 rows`: whether others, worked before, are among these is not said. */
+/* `until 20 rows have been worked`, `for a total of 20 rows`: whether others, worked before, are among these is not said;
+ * `until 20 rows of the pattern ..` says it. */
 static void warn_since_when(struct eval *eval, const struct stmt *stmt, const struct again *again, const struct body *body,
                             struct row_texts texts, long long n)
 {
     bool total = again->kind == AGAIN_TOTAL_ROWS;
 
-    if (!(total || (again->kind == AGAIN_UNTIL_ROWS && again->worked)) || !rows_come_before(body->rows, texts, !total))
+    if ((total && again->which == AGAIN_GO_ON) || !(total || (again->kind == AGAIN_UNTIL_ROWS && again->worked)) || !rows_come_before(body->rows, texts, !total))
         return;
     diag_warning(eval->diag, CODE_ASSUMED_TOTAL, stmt->span, "whether the rows before these are among the %lld is not said: they are%s", n, total ? " not" : "");
     diag_hint(eval->diag, total ? "`until piece has %lld rows` counts all" : "`for a total of %lld rows` counts these alone", n);

@@ -67,7 +67,7 @@ static struct row_text *make_row(struct eval *eval, const struct row_text *text,
     struct row_text *made = arena_new(eval->arena, struct row_text);
     long long behind = work_length(flanks.behind);
 
-    *made = (struct row_text){.round = text->round, .check = -1, .span = text->span, .head = text->head, .marked = text->marked, .failed = text->failed,
+    *made = (struct row_text){.side = text->side, .round = text->round, .check = -1, .span = text->span, .head = text->head, .marked = text->marked, .failed = text->failed,
                               .flanked = true};
     made->work = copy_work(eval, flanks.before, 0);
     append(&made->work, text->as_below || text->as_opposite ? work_below(eval, text) : copy_work(eval, text->work, behind));

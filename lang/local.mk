@@ -12,7 +12,7 @@ liblang_a_SOURCES = \
     lang/typos.h lang/typos.c lang/unreadable.c lang/vocabulary.h lang/vocabulary.c \
     lang/page/casts.h lang/page/casts.c lang/page/clauses.h lang/page/clauses.c lang/page/definitions.h \
     lang/page/definitions.c lang/page/edge_stitches.h lang/page/edge_stitches.c lang/page/edges.h \
-    lang/page/edges.c lang/page/endings.h lang/page/endings.c lang/page/explained.h lang/page/explained.c lang/page/fabrics.h lang/page/fabrics.c \
+    lang/page/edges.c lang/page/explained.h lang/page/explained.c lang/page/fabrics.h lang/page/fabrics.c \
     lang/page/framing.h lang/page/framing.c lang/page/groups.h lang/page/groups.c lang/page/headings.h \
     lang/page/headings.c lang/page/heads.h lang/page/heads.c lang/page/joined.h lang/page/joined.c \
     lang/page/kinds.h lang/page/kinds.c lang/page/lengths.h lang/page/lengths.c lang/page/lettered.h \

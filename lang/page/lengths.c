@@ -243,7 +243,7 @@ bool lengths_follow(const char *text)
     return length_at(text, &millimetres) != NULL;
 }
 
-/* `RS row`, `wrong side row`; 0: neither. */
+/* `RS row`, `wrong side row`, `WS facing for next row`, which is the RS; 0: neither. */
 static int row_of_side(const char *text)
 {
     bool right = words_is(text, "rs") || words_is(text, "right"), wrong = words_is(text, "ws") || words_is(text, "wrong");
@@ -251,6 +251,8 @@ static int row_of_side(const char *text)
     text = words_next(text);
     text += strspn(text, "-");
     text = words_is(text, "side") ? words_next(text) : text;
+    if (words_is(text, "facing"))
+        return right ? ENDING_WS : wrong ? ENDING_RS : 0;
     return !words_are_rows(text) ? 0 : right ? ENDING_RS : wrong ? ENDING_WS : 0;
 }
 
