@@ -447,27 +447,19 @@ static unsigned sentence_end(const struct parse *parse, struct span span)
     return end;
 }
 
+static const char *const worked = "worked|done|completed|knitted";
+
 struct stmt *stmt_row(struct parse *parse, struct span span, struct row row)
 {
     struct stmt *stmt = ast_stmt(parse, STMT_ROW, span);
+    unsigned end = sentence_end(parse, span);
     bool several;
 
     stmt->row = row;
+    stmt->row.worked = row.total && words_any_of(worked, span.source->text, span.start, end) && !words_any_of("from|total|all", span.source->text, span.start, end);
     if (row.body == BODY_OF_PATTERN)
-        stmt->row.from = named_rows(&parse->named, span.start, sentence_end(parse, span), &several);
+        stmt->row.from = named_rows(&parse->named, span.start, end, &several);
     return stmt;
-}
-
-/* Whether `worked`, `done` stands between two places of the text as it was written. */
-static bool says_worked(struct span span, unsigned end)
-{
-    static const char *const words[] = {"worked", "done", "completed", "knitted"};
-    const char *text = span.source->text;
-
-    for (unsigned at = span.start; at < end; at += words_length(text + at) ? (unsigned)words_length(text + at) : 1)
-        if (words_find(text + at, words, 4) >= 0)
-            return true;
-    return false;
 }
 
 /* The edges that a sentence keeps in its rows, `.. until it measures 40 in, keeping 2 sts at each edge in garter st`. */
@@ -488,13 +480,7 @@ static void find_edges(const struct parse *parse, struct span span, unsigned end
 }
 
 /* `until 60 rows of pattern are complete`: of the pattern, not of the piece. */
-static bool counts_pattern(const char *text, unsigned start, unsigned end)
-{
-    for (; start < end; start += words_length(text + start) ? (unsigned)words_length(text + start) : 1)
-        if (words_one_of("rows of pattern|rows of patt|rows of pat|rows of the pattern|rows in pattern|rows in patt", text + start))
-            return true;
-    return false;
-}
+static const char *const of_pattern = "rows of pattern|rows of patt|rows of pat|rows of the pattern|rows in pattern|rows in patt";
 
 struct stmt *stmt_again(struct parse *parse, struct span span, struct again again)
 {
@@ -502,10 +488,10 @@ struct stmt *stmt_again(struct parse *parse, struct span span, struct again agai
     unsigned end = sentence_end(parse, span);
 
     stmt->again = again;
-    stmt->again.worked = says_worked(span, end);
+    stmt->again.worked = words_any_of(worked, span.source->text, span.start, end);
     stmt->again.from = named_rows(&parse->named, span.start, end, &stmt->again.several);
     find_edges(parse, span, end, &stmt->again);
-    if (stmt->again.kind == AGAIN_UNTIL_ROWS && stmt->again.which == AGAIN_GO_ON && counts_pattern(parse->text, span.start, end))
+    if (stmt->again.kind == AGAIN_UNTIL_ROWS && stmt->again.which == AGAIN_GO_ON && words_any_of(of_pattern, parse->text, span.start, end))
         stmt->again.kind = AGAIN_TOTAL_ROWS;
     return stmt;
 }

@@ -150,6 +150,7 @@ struct row {
     struct row_numbers *numbers;        /* NULL: the next row, */
     struct expr        *count;          /* or the next so many rows, */
     bool                total;          /* or as many as there are then in all, */
+    bool                worked;         /* worked by then: since when is not said, */
     bool                measured;       /* which may be there already */
     enum side           starting;       /* the side of the first of them */
     struct kept_edges   edges;          /* in these rows; n 0: none */

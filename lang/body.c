@@ -183,6 +183,16 @@ static bool too_many_rows(struct eval *eval, struct span span)
     return true;
 }
 
+/* `Beg with a k row, work in st st until 4 rows have been worked` counts what begins there, `Cont in st st until ..` all. */
+static long long count_from(struct eval *eval, const struct row *row, long long before, long long n)
+{
+    bool begins = row->starting || n <= before;
+
+    diag_warning(eval->diag, CODE_ASSUMED_TOTAL, row->head, "whether the rows before these are among the %lld is not said: they are%s", n, begins ? " not" : "");
+    diag_hint(eval->diag, begins ? "`until piece has %lld rows` counts all" : "`for %lld rows` counts these alone", n);
+    return begins ? 0 : before;
+}
+
 /* The next so many rows; n = 1 where no number is said. */
 static bool count_rows(struct eval *eval, struct where where, const struct row *row, const struct body *body, long long *n)
 {
@@ -197,6 +207,8 @@ static bool count_rows(struct eval *eval, struct where where, const struct row *
         return true;
     if (!eval_whole(eval, where, row->count, 1, LIMIT_WRITTEN_ROWS, "the number of rows", n))
         return false;
+    if (row->worked && before)
+        before = count_from(eval, row, before, *n);
     *n -= before;
     if (row->measured && *n < 0)
         *n = 0;

@@ -189,12 +189,7 @@ static void warn_since_when(struct eval *eval, const struct stmt *stmt, const st
 /* Whether one of the words stands in a statement as it was written. */
 static bool has_word(const struct stmt *stmt, const char *list)
 {
-    const char *text = stmt->span.source->text;
-
-    for (unsigned at = stmt->span.start; at < stmt->span.end; at += words_length(text + at) ? (unsigned)words_length(text + at) : 1)
-        if (words_one_of(list, text + at))
-            return true;
-    return false;
+    return words_any_of(list, stmt->span.source->text, stmt->span.start, stmt->span.end);
 }
 
 /* `Work 4 rows in Box Stitch` right behind the 2 rows of this name: these are what the name means, and the first of the four. */

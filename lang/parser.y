@@ -670,6 +670,8 @@ work_statement:
 | WORK count more RIDGES starting       { $$ = stmt_row(parse, @$, syntax_ridges(parse, @$, $count, $starting)); }
 | WORK in FABRIC starting UNTIL_ROWS count ROW_WORD
                                         { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting))); }
+| WORK in FABRIC starting UNTIL_ROWS count ROW_WORD TOTAL
+                                        { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting))); }
 | WORK in FABRIC starting UNTIL_LENGTH  { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $5), SIDE_OPEN, $starting), $5)); }
 | WORK in FABRIC starting FOR_PATTERN   { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, $starting))); }
 | WORK in FABRIC starting               { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, $starting))); }

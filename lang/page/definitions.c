@@ -61,26 +61,17 @@ static bool is_one_row(const char *text)
     return repeated;
 }
 
-/* Whether one of the words a|b|c is among so many bytes. */
-static bool has_word(const char *text, size_t length, const char *list)
-{
-    for (size_t at = 0; at < length; at += words_length(text + at) ? words_length(text + at) : 1)
-        if (words_one_of(list, text + at))
-            return true;
-    return false;
-}
-
 /* `K2, P2 Rib`, `Pattern 2`: figures are a part of a name only beside such a word, and where no rows are counted. */
 static bool is_name_with_figures(const char *text, size_t length)
 {
-    return has_word(text, length, "rib|ribbing|stitch|pattern") && !has_word(text, length, "row|rows|rnd|rnds|round|rounds");
+    return words_any_of("rib|ribbing|stitch|pattern", text, 0, length) && !words_any_of("row|rows|rnd|rnds|round|rounds", text, 0, length);
 }
 
 /* `Border`, `BODY:`, and no more of the line: a heading that parts of a piece have. */
 static bool is_part(const char *line)
 {
     size_t length = strcspn(line, "(:\r\n");
-    bool part = has_word(line, length, "band");
+    bool part = words_any_of("band", line, 0, length);
 
     for (size_t at = 0; at < length; at += words_length(line + at) ? words_length(line + at) : 1)
         part |= words_are(line + at, WORDS_PART);
@@ -152,7 +143,7 @@ static bool find_rows_beside(const char *line, struct definition *found)
     }
     found->rows = line + 1;
     found->stitches = behind ? behind_all_rows(behind) : NULL;
-    if (!found->stitches && !has_word(line, found->length, "rib|ribbing"))
+    if (!found->stitches && !words_any_of("rib|ribbing", line, 0, found->length))
         found->stitches = find_stitches(line, behind);
     return found->stitches && !found->part && found->stitches - line > (long)strlen(row_1);
 }
@@ -182,7 +173,7 @@ struct definition definitions_read(const char *line)
 void definitions_put(const struct definition *definition, char *copy)
 {
     char *rows = copy + (definition->rows - definition->text), *stitches = definition->stitches ? copy + (definition->stitches - definition->text) : rows;
-    bool of_rounds = stitches - rows >= (long)strlen(round_1) && has_word(copy, (size_t)(stitches - copy), "rnd|rnds|round|rounds");
+    bool of_rounds = stitches - rows >= (long)strlen(round_1) && words_any_of("rnd|rnds|round|rounds", copy, 0, (size_t)(stitches - copy));
     const char *head = of_rounds ? round_1 : row_1;
 
     for (char *at = definition->beside ? copy : rows; at < stitches; at++)

@@ -313,6 +313,8 @@ const struct phrase turns_of_pages[] = {
 
     {"=work|knit|purl|k|p an|a? further|another|additional|extra =# =rows|rounds|rnds", ""},
     {"until|till # rows|rounds|rnds worked|done|completed|knitted|made", "until # rows"},
+    {"=in =garter|st|stocking|stockinette|moss|seed =st|stitch? until|till # rows|rounds|rnds of|in garter|st|stocking|stockinette|moss|seed st|stitch? have been worked|completed|done",
+     "for # rows"},
     {"=rows|rounds|rnds =in =rib|ribbing|pat|patt|pattern as est|est.|established|set|before", ""},
     {"< for|to a|my|the|make? a|the? sample|swatch|example , =cast|co", ""},
     {"< for|to a|my|the|make? a|the? sample|swatch|example ,? i|we? =cast|co", ""},

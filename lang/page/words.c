@@ -150,6 +150,14 @@ size_t words_one_of(const char *list, const char *text)
     return 0;
 }
 
+bool words_any_of(const char *list, const char *text, size_t start, size_t end)
+{
+    for (size_t at = start; at < end; at += words_length(text + at) ? words_length(text + at) : 1)
+        if (words_one_of(list, text + at))
+            return true;
+    return false;
+}
+
 enum { MOST_SKIPPED = 24 };     /* words: sentences have fewer */
 
 const char *words_skip_any(const char *text, const char *list)

@@ -228,6 +228,9 @@ size_t words_ordinal_length(const char *text);
 /* The length of the first of the words a|b|c that stands in the text; 0: none does. */
 size_t words_one_of(const char *list, const char *text);
 
+/* Whether one of them stands between two places. */
+bool words_any_of(const char *list, const char *text, size_t start, size_t end);
+
 /* Behind blanks and words of a list a|b|c. */
 const char *words_skip_any(const char *text, const char *list);
 
