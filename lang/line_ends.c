@@ -173,6 +173,20 @@ bool scanner_is_repeat(const struct scanner *scanner)
            scanner->statement == TOKEN_REPEAT_STARRED;
 }
 
+bool scanner_repeats_several(const struct scanner *scanner)
+{
+    const char *text = scanner->parse->text;
+    size_t at = scanner->token_end;
+
+    if (scanner->previous == TOKEN_ROW_WORD)
+        return scanner->statement == TOKEN_REPEAT_LAST;
+    if (scanner->previous != TOKEN_NUMBER || scanner->statement != TOKEN_REPEAT_ROWS)
+        return false;
+    while (at > 0 && (isdigit((unsigned char)text[at - 1]) || text[at - 1] == ' '))
+        at--;
+    return at > 0 && (strchr("-,&", text[at - 1]) || words_is(text + words_before(text, at), "and"));
+}
+
 bool scanner_said_how_often(const struct scanner *scanner)
 {
     static const int last[] = {TOKEN_TIMES, TOKEN_TWICE, TOKEN_MORE, TOKEN_TOTAL, TOKEN_ROW_WORD};

@@ -176,6 +176,9 @@ bool scanner_ends_line(struct scanner *, bool in_row, bool in_expression);
 /* Whether this statement works rows again. */
 bool scanner_is_repeat(const struct scanner *);
 
+/* Whether it has said which rows, more than one: `these 2 rows`, `rows 1 and 2`; what follows says how far. */
+bool scanner_repeats_several(const struct scanner *);
+
 /* Whether the next line says how often the rows named on this one are repeated. */
 bool scanner_repeat_goes_on(const struct scanner *);
 

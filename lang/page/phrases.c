@@ -315,21 +315,21 @@ static int number_of(const char *text, const struct found *found)
     return number;
 }
 
-/* The plain wording with the phrase's number for its `#`. */
+/* The plain wording with the phrase's number for each `#`; 0: there is none, or it is too long. */
 static size_t with_number(const char *text, const struct found *found, const char *plain, char wording[static WORDING])
 {
-    size_t before = strcspn(plain, "#"), number;
     int i = number_of(text, found);
+    size_t number = found->end[i] - found->start[i], n = 0;
 
-    if (!plain[before])
-        return strlen(strcpy(wording, plain));
-    number = found->end[i] - found->start[i];
-    if (number + strlen(plain) > WORDING)
-        return 0;
-    memcpy(wording, plain, before);
-    memcpy(wording + before, text + found->start[i], number);
-    strcpy(wording + before + number, plain + before + 1);
-    return strlen(wording);
+    for (; *plain; plain++) {
+        bool figures = *plain == '#';
+
+        if (n + (figures ? number : 1) > WORDING)
+            return 0;
+        memcpy(wording + n, figures ? text + found->start[i] : plain, figures ? number : 1);
+        n += figures ? number : 1;
+    }
+    return n;
 }
 
 bool phrases_put(char *text, const struct found *found, const char *plain)

@@ -12,7 +12,7 @@
 /* Words are separated by one blank, for any blanks or a line end of the text. `a|b`: one of
  * them; `?` behind: or nothing; `#`: a number, `~` the sign #, `$` a stitch with its figures, `k2`; `=` before: stays as it is, the others make
  * room for the plain wording. `@` begins a phrase that stands behind a stitch: knit, p; `<` one
- * that stands on one line; `^` one that begins a line, `!` a sentence, `>` a sentence before a row's stitches. A `#` of
+ * that stands on one line; `^` one that begins a line, `!` a sentence, `>` a sentence before a row's stitches. Each `#` of
  * the plain wording is the number of the phrase; it may be a line end. */
 struct phrase {
     const char *words, *plain;

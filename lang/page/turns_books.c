@@ -32,7 +32,11 @@ const struct phrase turns_of_books[] = {
 
     {"=# =ridges|ridge in|of garter|g -? st.|st|stitch", ""},
 
+    {"=rows|rounds|rnds =# =-|to|and|& =# =: work # rows|rounds|rnds in|of =st|stocking|stockinette|garter|moss|seed|reverse|rev", ""},
+    {"=rows|rounds|rnds =# =-|to|and|& =# =: =st|stocking|stockinette|garter|moss|seed =stitch|st for? # rows|rounds|rnds", ""},
+
     /* cast on */
+    {"^ e - wrap cast on", "cast on"},
     {"^ set|put up|on =# =sts|stitches", "co"},
     {"any number of sts|stitches divisible by", "multiple of"},
     {"a? number of sts|stitches divisible by", "multiple of"},
@@ -54,6 +58,7 @@ const struct phrase turns_of_books[] = {
 
     /* rows again */
     {"=# incl.|incl|inclusive", ""},
+    {"up? to|until|till and including =row|rnd|round =#", "to"},
     {"=row|rows|round|rounds|rnd|rnds alternately", ""},
     {"=time|times|twice|once|more|thrice ,? then|and|and then? cast|bind off", "; bind off"},
     {"=time|times|twice|once|more|thrice ,? and cast|bind off", "; bind off"},
@@ -65,6 +70,16 @@ const struct phrase turns_of_books[] = {
     {"work|continue|cont|repeat|rep in? the? pattern|patt|pat? st|stitch? until|till # complete|full|pattern? patterns|patts|pattern|repeats|reps are|have|has|is been? completed|worked|done|complete|made", "rep them # times in all"},
 
     /* within a row */
+    {"purl|p the? row? ,|;|-? but|and? knitting|knit the? first|edge and|& the? last # sts|stitches|st?", "k#, p to last # sts, k#"},
+    {"knit|k the? row? ,|;|-? but|and? purling|purl the? first|edge and|& the? last # sts|stitches|st?", "p#, k to last # sts, p#"},
+    {"purl|p the? row? ,|;|-? but|and? knitting|knit the? first|edge and|& the? last st|stitch", "k1, p to last st, k1"},
+    {"knit|k the? row? ,|;|-? but|and? purling|purl the? first|edge and|& the? last st|stitch", "p1, k to last st, p1"},
+    {"purl|p , but|and? knitting|knit # edge|border? sts|stitches|st at|on each|either|both end|ends|side|sides|edge|edges", "k#, p to last # sts, k#"},
+    {"knit|k , but|and? purling|purl # edge|border? sts|stitches|st at|on each|either|both end|ends|side|sides|edge|edges", "p#, k to last # sts, p#"},
+    {"purl|p , edge sts|stitches knit", "k1, p to last st, k1"},
+    {"@ all the? sts|stitches? except|but for? the? =last", "to"},
+    {"all the? sts|stitches? except|but for? the? =last", "to"},
+    {"@ the middle|centre|center =# =sts|stitches", ""},
     {"( r . s .? facing )", "(rs)"},
     {"( w . s .? facing )", "(ws)"},
     {"=:|. right side facing|out ,|.|;|:|-?", "(rs)"},
