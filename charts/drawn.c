@@ -233,7 +233,7 @@ static void lay_out(struct sheet *sheet)
 {
     const struct grid *g = sheet->scene->grid;
     double margin = 1.5 * sheet->size, gap = 0.7 * sheet->size, number = number_width(sheet, g->rows) + gap, right;
-    double left = sheet->scene->round || g->rows == 1 ? 0 : number;
+    double left = sheet->scene->round || (g->rows == 1 && !sheet->scene->ws_first) ? 0 : number;
     double top = *sheet->title ? LETTERING_LINE * title_size(sheet) : 0;
     sheet->body = (struct drawn_box){ceil(margin + left), ceil(margin + top), g->columns * sheet->cell_width,
                                      g->rows * sheet->cell_height};
@@ -307,12 +307,11 @@ static void draw_row_numbers(cairo_t *cairo, const struct sheet *sheet)
 {
     const struct drawn_box *body = &sheet->body;
     int step = sheet->row_step;
-    bool round = sheet->scene->round;
     double gap = 0.7 * sheet->size, left = body->x - gap, right = body->x + body->width + gap;
     for (int row = 1; row <= sheet->scene->grid->rows; row++) {
-        bool right_side = round || row % 2 == 1;
+        bool right_side = scene_right_side(sheet->scene, row);
         double y = body->y + body->height - (row - 0.5) * sheet->cell_height + LETTERING_CAPITAL / 2 * sheet->size;
-        if (row % step == 0 || row == 1 || (!round && row % step == 1))
+        if (row % step == 0 || row == 1 || (!sheet->scene->round && row % step == 1))
             draw_number(cairo, sheet, right_side ? right : left, y, right_side ? LETTERING_LEFT : LETTERING_RIGHT, row);
     }
 }

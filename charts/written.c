@@ -42,13 +42,19 @@ static const stitch_id *worked_row(const struct writer *w, int row)
 
 /* ---- rows as they are worked ---- */
 
+/* row counts from 0. */
+static bool is_right_side(const struct writer *w, int row)
+{
+    return w->style->round || (row % 2 == 0) != w->style->ws_first;
+}
+
 static void work_rows(struct writer *w)
 {
     int columns = w->grid->columns;
     for (int row = 0; row < w->grid->rows; row++)
         for (int i = 0; i < columns; i++) {
             stitch_id *to = w->worked + (size_t)row * (size_t)columns + i;
-            if (w->style->round || row % 2 == 0)
+            if (is_right_side(w, row))
                 *to = grid_at(w->grid, columns - 1 - i, row);
             else
                 *to = (stitch_id)w->style->words->entry[grid_at(w->grid, i, row)].on_ws;
@@ -167,7 +173,7 @@ static void write_labels(struct writer *w, int first, int end)
     }
 }
 
-/* Is this the text of all WS rows, of three at least, and no other row of the fabric's? */
+/* Is this the text of all WS rows, the even ones, of three at least, and no other row of the fabric's? */
 static bool is_all_ws(const struct writer *w, int first, int end)
 {
     const struct plan *plan = &w->plan[0];
@@ -177,7 +183,7 @@ static bool is_all_ws(const struct writer *w, int first, int end)
         alone = (w->words[row] == w->words[first]) == (row % 2 == 1);
         count += row % 2;
     }
-    return alone && first == 1 && count >= 3 && !w->style->round && !w->style->open;
+    return alone && first == 1 && count >= 3 && !w->style->round && !w->style->ws_first && !w->style->open;
 }
 
 /* `Row`, `Rows`, `Rnd`, `Rnds` and the side, if the rows have one. */
@@ -191,7 +197,7 @@ static void write_head(struct writer *w, int first, int end)
     for (int row = first; row < end; row++)
         if (w->words[row] == w->words[first]) {
             count++;
-            right += row % 2 == 0;
+            right += is_right_side(w, row);
         }
     text_print(w->text, "%s%s%s ", w->style->indent, w->style->round ? "Rnd" : "Row", count > 1 ? "s" : "");
     write_labels(w, first, end);
@@ -279,35 +285,34 @@ static bool repeats(const struct grid *g, int period, int edge)
 }
 
 /* Would the words be the same with one repeat more? */
-static bool words_fit(struct arena *arena, const struct grid *g, const struct dictionary *dictionary, int period, int edge,
-                      bool round)
+static bool words_fit(struct arena *arena, const struct grid *g, struct written_style style, int period, int edge)
 {
-    const struct written_style style = {.words = dictionary, .round = round, .uncounted = true, .indent = ""};
     struct text words = {.arena = arena}, wider = {.arena = arena};
+    style.uncounted = true;
     written_rows(&words, g, &style);
     written_rows(&wider, grid_stretch(arena, g, edge, period, 2), &style);
     return words.length == wider.length && memcmp(words.bytes, wider.bytes, words.length) == 0;
 }
 
 /* `Multiple of 4 sts + 2.`, where at least two repeats stand side by side. */
-static void write_multiple(struct text *text, const struct grid *g, const struct dictionary *words, bool round)
+static void write_multiple(struct text *text, const struct grid *g, const struct written_style *style)
 {
     for (int edge = 0; edge <= EDGE && g->rows <= SMALL / g->columns; edge++)
         for (int period = 2; period <= REPEAT && 2 * period + 2 * edge <= g->columns; period++) {
             int plus = g->columns - (g->columns - 2 * edge) / period * period;
             if (!repeats(g, period, edge) || repeats(g, 1, edge))
                 continue;
-            if (words_fit(text->arena, g, words, period, edge, round))
+            if (words_fit(text->arena, g, *style, period, edge))
                 text_print(text, plus ? "Multiple of %d sts + %d.\n" : "Multiple of %d sts.\n", period, plus);
             return;
         }
 }
 
-void written_pattern(struct text *text, const struct grid *grid, const struct dictionary *words, bool round)
+void written_pattern(struct text *text, const struct grid *grid, const struct written_style *style)
 {
-    write_multiple(text, grid, words, round);
+    write_multiple(text, grid, style);
     text_print(text, "Cast on %d st%s%s.\n", grid->columns, grid->columns == 1 ? "" : "s",
-               round ? "; join to work in the round" : "");
-    written_rows(text, grid, &(struct written_style){.words = words, .round = round, .indent = ""});
+               style->round ? "; join to work in the round" : "");
+    written_rows(text, grid, style);
     text_print(text, "Bind off.\n");
 }

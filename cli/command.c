@@ -31,7 +31,7 @@ const struct command command_table[] = {
     {"check", "FILE...", 1, ANY_NUMBER, command_check, "check scripts, fold nothing",
      "Compiles each FILE, reports every error at its place and prints the size of\n"
      "the swatch.\n"},
-    {"chart", "FILE", 1, 1, command_chart, "print the stitch chart",
+    {"chart", "FILE", 1, 1, command_chart, "print the stitch chart (--grid: plain rows of letters)",
      "Prints the right side of the fabric, top row first, with the row numbers at the\n"
      "right of right-side rows and rounds, at the left of wrong-side rows. With\n"
      "--grid: for programs, after a header \"# 1 1\" a line of stitch names for each\n"

@@ -30,7 +30,7 @@ static enum status write_pattern(struct text *text, const struct scene *scene, b
     }
     if (own)
         dictionary_define(text, scene->stitch, scene->nstitches);
-    written_pattern(text, scene->grid, &words, round);
+    written_pattern(text, scene->grid, &(struct written_style){.words = &words, .round = round, .ws_first = scene->ws_first, .indent = ""});
     return STATUS_DONE;
 }
 

@@ -21,6 +21,7 @@ struct compilation {
     struct outputs outputs;
     const struct grid *grid;
     bool round; /* its rows are rounds */
+    bool ws_first; /* the first of them is worked on the wrong side */
     const char *title;
     const struct sweep_axis *axis;
     int naxes;
@@ -309,6 +310,7 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
 {
     struct eval *eval = &c->eval;
     struct body body = {.rows = rows_new(eval->arena, eval->diag), .round = body_in_rounds(eval->main->file), .top = true};
+    const struct grid *grid;
 
     rows_describe(body.rows, body_describes(eval->main->file));
     rows_of_page(body.rows, &eval->main->facts);
@@ -320,8 +322,10 @@ static const struct grid *own_rows(struct compilation *c, struct span *where)
         body_statement(eval, (struct where){eval->main, NULL}, stmt, &body);
     }
     *where = body.first;
+    grid = body.first.source && !body.failed ? grid_of_body(c, &body) : NULL;
     c->round = rows_round(body.rows);
-    return body.first.source && !body.failed ? grid_of_body(c, &body) : NULL;
+    c->ws_first = grid && rows_ws_first(body.rows);
+    return grid;
 }
 
 /* The name of the motif a swatch consists of: of flag, rib(3, 1), tile(std.flag, 2, 2). */
@@ -480,6 +484,7 @@ static const struct scene *scene_of(struct compilation *c)
     scene->file = eval->main->source->name;
     scene->grid = c->grid;
     scene->round = c->round;
+    scene->ws_first = c->ws_first;
     scene->title = c->title;
     scene->nstitches = eval->nstitches;
     scene->stitch = stitch;

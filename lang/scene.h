@@ -138,6 +138,7 @@ struct scene {
     const char              *title;         /* the motif that makes up the swatch, or NULL */
     const struct grid       *grid;
     bool                     round;         /* the script's own rows are rounds: worked from the right side alone */
+    bool                     ws_first;      /* the first of them is worked from the wrong side */
     int                      nstitches;
     const struct stitch     *stitch;        /* (nstitches), K and P first */
     struct gauge             gauge;
@@ -154,5 +155,11 @@ struct scene {
     int                      nsources;
     const struct scene_source *source;      /* (nsources), the script first, then the files it uses; none built in */
 };
+
+/* Whether a row of the grid, counted from 1, is worked from the right side. */
+static inline bool scene_right_side(const struct scene *scene, int row)
+{
+    return scene->round || (row % 2 == 1) != scene->ws_first;
+}
 
 #endif

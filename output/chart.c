@@ -59,7 +59,7 @@ void chart_text(struct file *file, const struct scene *scene)
     int digits = snprintf(last, sizeof last, "%d", scene->grid->rows), margin = scene->round ? 0 : digits;
     int width = symbol_width(scene), whole = margin + scene->grid->columns * (width + 1) + 2 + digits;
     for (int row = scene->grid->rows; row >= 1; row--) {
-        bool right_side = scene->round || row % 2 == 1;
+        bool right_side = scene_right_side(scene, row);
         if (right_side)
             file_print(file, "%*s", margin, "");
         else

@@ -308,6 +308,11 @@ bool rows_passed(const struct row_list *list, struct row_texts texts)
     return true;
 }
 
+bool rows_ws_first(const struct row_list *list)
+{
+    return !list->round && row_list_side(list, 0) == SIDE_WS;
+}
+
 enum side rows_last_side(const struct row_list *list)
 {
     return list->norder && !list->round ? row_list_side(list, list->norder - 1) : SIDE_OPEN;

@@ -216,6 +216,9 @@ int rows_count(const struct row_list *);
 /* Whether the row at a place in the order of work, from 0, is another than the one before it. */
 bool rows_begin_at(const struct row_list *, long long place);
 
+/* Whether the first row worked is worked on the wrong side, of rows that are closed. */
+bool rows_ws_first(const struct row_list *);
+
 /* The side the last row was worked on; SIDE_OPEN: there is none, or it is a round. */
 enum side rows_last_side(const struct row_list *);
 

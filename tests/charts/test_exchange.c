@@ -37,12 +37,12 @@ static void table_write(struct text *text, const struct grid *g)
 
 static void flat_write(struct text *text, const struct grid *g)
 {
-    written_pattern(text, g, &dictionary_plain, false);
+    written_pattern(text, g, &(struct written_style){.words = &dictionary_plain, .indent = ""});
 }
 
 static void round_write(struct text *text, const struct grid *g)
 {
-    written_pattern(text, g, &dictionary_plain, true);
+    written_pattern(text, g, &(struct written_style){.words = &dictionary_plain, .round = true, .indent = ""});
 }
 
 static struct pattern pixels_read(struct arena *arena, struct diag *diag, const struct source *source)

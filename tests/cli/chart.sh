@@ -60,6 +60,20 @@ check 'have their numbers at the right' diff - "$work/out" <<'TEXT'
  p k k k  1
 TEXT
 
+printf 'Cast on 4\nRow 1 (WS): k2, p2\nRow 2: k1, p3\nRow 3: knit\n' >"$work/ws.knit"
+exits 0 'a first row from the wrong side' "$WEFT" chart "$work/ws.knit"
+check 'has its number at the left' diff - "$work/out" <<'TEXT'
+3 p p p p
+  p p p k  2
+1 p p k k
+TEXT
+exits 0 'and is written' "$WEFT" write "$work/ws.knit"
+out 'as such' '^Row 1 (WS): k2, p2\.'
+cp "$work/out" "$work/written.knit"
+exits 0 'and read again' "$WEFT" chart --grid "$work/written.knit"
+printf '# 1 1\nP P K K\nP P P K\nP P P P\n' >"$work/grid"
+check 'the same fabric' diff "$work/grid" "$work/out"
+
 # Blanks between letters as long as a terminal's 80 columns hold the numbers, too.
 for width in 38 39; do
     echo "swatch each (x, y) in $width by 2 : x == 0 || y == 1 && x == 1 ? P : K" >"$work/wide.knit"
