@@ -16,7 +16,8 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
     switch (again->which) {
     case AGAIN_LAST:
         rows_pattern(body->rows, false);    /* `RS: ..` and `WS: ..` are worked by now */
-        if (!eval_whole(eval, where, again->last, 1, rows_count(body->rows), "the number of rows", &last))
+        last = rows_count(body->rows);
+        if (again->last && !eval_whole(eval, where, again->last, 1, last, "the number of rows", &last))
             return false;
         *texts = rows_last(body->rows, (int)last);
         return true;
@@ -268,7 +269,7 @@ static long long block_place(struct eval *eval, struct where where, const struct
             end += stmt->kind == STMT_ROW;
             continue;
         }
-        if (stmt->kind != STMT_AGAIN || stmt->again.which != AGAIN_LAST || !eval_whole(eval, where, stmt->again.last, 1, LIMIT_ROWS, "the number of rows", &last))
+        if (stmt->kind != STMT_AGAIN || stmt->again.which != AGAIN_LAST || !stmt->again.last || !eval_whole(eval, where, stmt->again.last, 1, LIMIT_ROWS, "the number of rows", &last))
             return NO_PLACE;
         if (last > 1)
             return end - last;

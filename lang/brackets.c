@@ -35,6 +35,7 @@ static enum bracket brace_of(const struct scanner *scanner, bool in_expression)
     case TOKEN_REPEAT_ROWS:
     case TOKEN_REPEAT_LAST:
     case TOKEN_REPEAT_THEM:
+    case TOKEN_REPEAT_ALL:
     case TOKEN_REPEAT_STARRED:
     case TOKEN_GO_ON_ROWS:
         return BRACKET_HOLE;

@@ -170,7 +170,7 @@ bool scanner_ends_line(struct scanner *scanner, bool in_row, bool in_expression)
 bool scanner_is_repeat(const struct scanner *scanner)
 {
     return scanner->statement == TOKEN_REPEAT_ROWS || scanner->statement == TOKEN_REPEAT_LAST || scanner->statement == TOKEN_REPEAT_THEM ||
-           scanner->statement == TOKEN_REPEAT_STARRED;
+           scanner->statement == TOKEN_REPEAT_ALL || scanner->statement == TOKEN_REPEAT_STARRED;
 }
 
 bool scanner_repeats_several(const struct scanner *scanner)

@@ -148,6 +148,7 @@ static void knit_error(const struct span *at, struct parse *parse, void *scanner
 %token GO_ON_ROWS       "'continue in pattern for'"
 %token <side> STARTING  "'starting with'"
 %token REPEAT_THEM      "'repeat them'"
+%token REPEAT_ALL       "'repeat everything'"
 %token WORK_THEM        "'work these rows'"
 %token THEN_ROWS        "'then rows'"
 %token THEN_FIRST       "'then the first'"
@@ -587,6 +588,7 @@ repeat_statement:
 | REPEAT_LAST count ROW_WORD again      { $$ = stmt_again(parse, @$, syntax_again(NULL, $count, $again)); }
 | REPEAT_LAST ROW_WORD again            { $$ = stmt_again(parse, @$, syntax_again(NULL, expr_number(parse, @2, 1, 0), $again)); }
 | REPEAT_THEM again                     { $$ = stmt_again(parse, @$, $again); $$->again.which = AGAIN_THEM; }
+| REPEAT_ALL again                      { $$ = stmt_again(parse, @$, $again); $$->again.which = AGAIN_LAST; }
 | GROUP_END again                       { $$ = stmt_again(parse, @$, syntax_group(syntax_work_again(NULL, $again))); }
 | REPEAT_STARRED again                  { $$ = stmt_again(parse, @$, syntax_starred($REPEAT_STARRED, $again)); }
 | WORK_LAST count ROW_WORD again        { $$ = stmt_again(parse, @$, syntax_work_again(NULL, $again)); $$->again.which = AGAIN_LAST; $$->again.last = $count; }

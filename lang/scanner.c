@@ -191,7 +191,7 @@ bool scanner_in_row_head(const struct scanner *scanner)
 
 bool scanner_works_rows(const struct scanner *scanner)
 {
-    static const int works[] = {TOKEN_WORK, TOKEN_GO_ON_ROWS, TOKEN_WORK_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST, TOKEN_REPEAT_THEM};
+    static const int works[] = {TOKEN_WORK, TOKEN_GO_ON_ROWS, TOKEN_WORK_ROWS, TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST, TOKEN_REPEAT_THEM, TOKEN_REPEAT_ALL};
 
     for (size_t i = 0; i < sizeof works / sizeof *works; i++)
         if (scanner->statement == works[i])

@@ -144,7 +144,7 @@ static bool is_knitters(int kind)
 {
     static const int kinds[] = {TOKEN_ROW, TOKEN_ALL, TOKEN_CAST_ON, TOKEN_MULTIPLE_OF, TOKEN_REPEAT_ROWS, TOKEN_REPEAT_LAST,
                                 TOKEN_SETUP, TOKEN_NUMBER_OF, TOKEN_PLAIN_ROWS, TOKEN_PLAIN_EVERY, TOKEN_WORK, TOKEN_WORK_ROWS,
-                                TOKEN_GO_ON_ROWS, TOKEN_REPEAT_THEM, TOKEN_REPEAT_STARRED, TOKEN_STARTING, TOKEN_SIDE, TOKEN_NEXT_ROWS,
+                                TOKEN_GO_ON_ROWS, TOKEN_REPEAT_THEM, TOKEN_REPEAT_ALL, TOKEN_REPEAT_STARRED, TOKEN_STARTING, TOKEN_SIDE, TOKEN_NEXT_ROWS,
                                 TOKEN_WORK_THEM, TOKEN_WORK_LAST, TOKEN_BARE_ROW};
 
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)

@@ -8,9 +8,9 @@
 /* The last word of each may also have an s. */
 static const char *const of_pattern[] = {
     "begin", "begin pattern", "begin pattern as follow", "begin the pattern", "begin the pattern as follow", "beginning", "body", "border",
-    "bottom border", "direction", "edging", "how to", "how to knit", "how to knit it", "how to make", "how to make it", "how to work",
+    "bottom border", "direction", "edging", "establish pattern", "establish pattern as follow", "establish the pattern", "how to", "how to knit", "how to knit it", "how to make", "how to make it", "how to work",
     "how to work it", "instruction", "let's knit", "main body", "make", "method", "pattern", "pattern instruction", "pattern repeat",
-    "pattern stitch", "proceed", "proceed as follow", "scarf", "start pattern", "start pattern as follow", "start the pattern",
+    "pattern stitch", "proceed", "proceed as follow", "scarf", "set pattern", "set pattern as follow", "set up pattern", "start pattern", "start pattern as follow", "start the pattern",
     "start the pattern as follow", "stitch pattern instruction", "stitch pattern repeat", "stitch pattern stitch", "swatch pattern", "to begin",
     "to knit", "to make", "to start", "top border", "work as follow", "work pattern", "work pattern as follow", "work the pattern",
     "work the pattern as follow", "written pattern",

@@ -44,11 +44,12 @@ static enum side side_at(const char **text)
     return side < 2 ? SIDE_RS : SIDE_WS;
 }
 
-/* `row 2`, `the even-numbered rows`, `first row`; behind `RS rows are` `even` is enough. */
+/* `row 2`, `1st row`, `the even-numbered rows`, `first row`; behind `RS rows are` `even` is enough. */
 static enum parity rows_at(const char **text, bool short_form)
 {
     static const char *const article[] = {"the", "all", "on"}, *const which[] = {"even", "odd", "second", "first"}, *const numbered[] = {"numbered"}, *const row[] = {"row", "rows"};
     const char *at = SKIP(*text, article), *behind = at;
+    size_t ordinal = words_ordinal_length(at);
     int word = words_find(at, which, 4), number = 0;
 
     if (word >= 0) {
@@ -56,22 +57,26 @@ static enum parity rows_at(const char **text, bool short_form)
         behind = SKIP(behind, numbered);
         at = behind;
     }
+    if (ordinal) {
+        number = words_number(at);
+        at = skip_blanks(at + ordinal);
+    }
     if (words_find(at, row, 2) >= 0)
         behind = skip_blanks(at + words_length(at));
     else if (word < 0 || !short_form)
         return PARITY_NONE;
-    if (word < 0) {
-        number = atoi(behind);
-        behind = skip_blanks(behind + strspn(behind, "0123456789"));
+    if (word < 0 && !ordinal) {
+        number = words_number(behind);
+        behind = skip_blanks(behind + (isdigit((unsigned char)*behind) ? strspn(behind, "0123456789") : number ? words_length(behind) : 0));
     }
     *text = behind;
     return word >= 0 ? (word % 2 ? PARITY_ODD : PARITY_EVEN) : number > 0 ? (number % 2 ? PARITY_ODD : PARITY_EVEN) : PARITY_NONE;
 }
 
-/* Behind `is`, `are`, `=`, `form`; NULL: none. */
+/* Behind `is`, `are`, `=`, `form`, `facing for`; NULL: none. */
 static const char *behind_verb(const char *text)
 {
-    static const char *const verb[] = {"is", "are", "being", "be", "form", "forms", "make", "will"};
+    static const char *const verb[] = {"is", "are", "being", "be", "form", "forms", "make", "will", "facing", "for"};
 
     if (*text == '=')
         return skip_blanks(text + 1);
@@ -81,7 +86,7 @@ static const char *behind_verb(const char *text)
 /* `Start on the wrong side.`, `Work the 1st row from WS`: no more of a sentence stands behind it. */
 static enum side start_at(const char *text)
 {
-    static const char *const begin[] = {"start", "starts", "starting", "begin", "begins", "beginning"}, *const with[] = {"on", "with"};
+    static const char *const begin[] = {"start", "starts", "starting", "begin", "begins", "beginning", "beg"}, *const with[] = {"on", "with"};
     const char *at = SKIP(text, begin), *behind = SKIP(at, with), *row = words_one_of("work|knit", text) ? words_skip_any(words_next(text), "the|first|1st|row") : NULL;
     enum side side;
 
@@ -117,12 +122,17 @@ static enum side sentence_at(const char *text)
 
 bool page_sides_line(const char *text)
 {
+    const char *behind = words_skip_any(text + (*text == '('), "note|nb|n.b.|important|please note|:|that|remember");
+
+    if (*behind == ':')
+        behind = words_skip_any(words_skip_blanks(behind + 1), "that");
+    text = words_skip_any(behind, "the|this|your|you|pattern|chart|piece|work");
     return sentence_at(text) && !words_line_has_sign(text, ":*,;{");
 }
 
 enum side page_sides(const char *text, bool *begins)
 {
-    static const char first[] = "rRwWeEoOfFsSbBkK";
+    static const char first[] = "rRwWeEoOfFsSbBkK12";
     enum side found = SIDE_OPEN;
 
     *begins = false;

@@ -5,7 +5,6 @@
 #include "lang/limits.h"
 #include "lang/page/lengths.h"
 #include "lang/page/repeats.h"
-#include "lang/page/repeats.h"
 #include "lang/page/starred.h"
 #include "lang/page/words.h"
 #include "lang/syntax.h"
@@ -66,7 +65,7 @@ bool prose_repeats_rows(const char *text)
     struct starred starred;
 
     text = words_skip_blanks(text);
-    if (starred_length(text, &starred))
+    if (starred_length(text, &starred) || repeats_everything_length(text))
         return true;
     if (words_is(text, "from") || words_is(text, "the"))
         text = words_next(text);

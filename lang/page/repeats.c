@@ -52,6 +52,11 @@ static size_t them_length(const char *text)
     return behind ? (size_t)(behind - text) : 0;
 }
 
+size_t repeats_everything_length(const char *text)
+{
+    return words_one_of("everything above|everything so far|everything|the whole thing|the whole piece|it all|all of it|all of this|all of that|all of the above|all of these rows|all the above", text);
+}
+
 /* `the last `, `these `: its bytes, or 0. */
 static size_t last_length(const char *text)
 {
@@ -136,6 +141,9 @@ int repeats_kind(const char *text, size_t *length)
     *length = before + (n = sections_length(word));
     if (n)
         return TOKEN_PROSE;
+    *length = before + (n = repeats_everything_length(word));
+    if (n)
+        return TOKEN_REPEAT_ALL;
     *length = before + (n = them_length(word));
     if (n)
         return TOKEN_REPEAT_THEM;

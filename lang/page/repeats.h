@@ -7,11 +7,14 @@
 #include <stddef.h>
 
 /* The token that a statement's `repeat`, which the text begins with, is, and its length in bytes: TOKEN_REPEAT_ROWS, _LAST,
- * _THEM, or TOKEN_PROSE of sections; 0: it begins a text. */
+ * _THEM, _ALL, or TOKEN_PROSE of sections; 0: it begins a text. */
 int repeats_kind(const char *text, size_t *length);
 
 /* `rows`, or the `r` of `r4`, that a text begins with: its bytes, or 0. */
 size_t repeats_rows_length(const char *text);
+
+/* `everything`, `the whole thing`, `all of this` that a text begins with, all rows that were worked: its bytes, or 0. */
+size_t repeats_everything_length(const char *text);
 
 /* Whether a text begins with `1-4`, `1 to 4` of a list of rows, to be worked so often or so long: no stitches follow. */
 bool repeats_range(const char *text);
