@@ -447,16 +447,17 @@ static unsigned sentence_end(const struct parse *parse, struct span span)
     return end;
 }
 
+/* `until 20 rows have been worked`: since when is not said. */
 static const char *const worked = "worked|done|completed|knitted";
 
 struct stmt *stmt_row(struct parse *parse, struct span span, struct row row)
 {
     struct stmt *stmt = ast_stmt(parse, STMT_ROW, span);
-    unsigned end = sentence_end(parse, span);
+    unsigned end = row.total || row.body == BODY_OF_PATTERN ? sentence_end(parse, span) : span.end;
     bool several;
 
     stmt->row = row;
-    stmt->row.worked = row.total && words_any_of(worked, span.source->text, span.start, end) && !words_any_of("from|total|all", span.source->text, span.start, end);
+    stmt->row.worked = row.total && words_any_of(worked, span.source->text, span.start, end) && !words_any_of("from|total|in all", span.source->text, span.start, end);
     if (row.body == BODY_OF_PATTERN)
         stmt->row.from = named_rows(&parse->named, span.start, end, &several);
     return stmt;

@@ -192,7 +192,7 @@ enum sum_of { SUM_ROWS, SUM_PIECE, SUM_TIMES };
 struct again {
     enum again_which    which;
     struct row_numbers *numbers;
-    struct expr        *last;           /* repeat the last n rows */
+    struct expr        *last;           /* repeat the last n rows; AGAIN_LAST and NULL: all */
     struct starred      starred;        /* those between the stars */
     bool                bracketed;      /* or in brackets, worked once */
     enum again_kind     kind;

@@ -183,7 +183,8 @@ static bool too_many_rows(struct eval *eval, struct span span)
     return true;
 }
 
-/* `Beg with a k row, work in st st until 4 rows have been worked` counts what begins there, `Cont in st st until ..` all. */
+/* The rows before that are among those of `Cont in st st until 4 rows have been worked`; none are where these begin anew,
+ * `Beg with a k row, ..`, or where there are so many already. */
 static long long count_from(struct eval *eval, const struct row *row, long long before, long long n)
 {
     bool begins = row->starting || n <= before;

@@ -17,6 +17,10 @@ static bool find_rows(struct eval *eval, struct where where, const struct stmt *
     case AGAIN_LAST:
         rows_pattern(body->rows, false);    /* `RS: ..` and `WS: ..` are worked by now */
         last = rows_count(body->rows);
+        if (!again->last && !last) {
+            diag_error(eval->diag, CODE_ROW_REFERENCE, stmt->span, "there are no rows above");
+            return false;
+        }
         if (again->last && !eval_whole(eval, where, again->last, 1, last, "the number of rows", &last))
             return false;
         *texts = rows_last(body->rows, (int)last);

@@ -184,7 +184,7 @@ bool scanner_repeats_several(const struct scanner *scanner)
         return false;
     while (at > 0 && (isdigit((unsigned char)text[at - 1]) || text[at - 1] == ' '))
         at--;
-    return at > 0 && (strchr("-,&", text[at - 1]) || words_is(text + words_before(text, at), "and"));
+    return at > 0 && (strchr("-&", text[at - 1]) || words_is(text + words_before(text, at), "and"));
 }
 
 bool scanner_said_how_often(const struct scanner *scanner)

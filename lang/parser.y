@@ -637,8 +637,7 @@ again_counted:
 | count TIMES MORE                      { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count, .more = true}; }
 | TWICE                                 { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0)}; }
 | TWICE MORE                            { $$ = (struct again){.kind = AGAIN_TIMES, .n = expr_number(parse, @1, $1.value, 0), .more = true}; }
-| UNTIL_ROWS count ROW_WORD             { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
-| UNTIL_ROWS count ROW_WORD TOTAL       { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
+| UNTIL_ROWS count ROW_WORD total       { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .n = $count}; }
 | UNTIL_ROW count                       { $$ = (struct again){.kind = AGAIN_UNTIL_ROWS, .numbered = true, .n = $count}; }
 | UNTIL_LENGTH                          { $$ = syntax_again_until(parse, @$, $1); }
 | CROSS count                           { $$ = (struct again){.kind = AGAIN_TIMES, .n = $count}; }
@@ -670,9 +669,7 @@ work_statement:
 | WORK count[rows] more ROW_WORD[round] in FABRIC STARTING count[sofar] ROW_WORD
                                         { $$ = stmt_row(parse, @$, syntax_fabric(@$, $FABRIC, $rows, $round, $STARTING)); syntax_rows_so_far(parse, @sofar); (void)$sofar; }
 | WORK count more RIDGES starting       { $$ = stmt_row(parse, @$, syntax_ridges(parse, @$, $count, $starting)); }
-| WORK in FABRIC starting UNTIL_ROWS count ROW_WORD
-                                        { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting))); }
-| WORK in FABRIC starting UNTIL_ROWS count ROW_WORD TOTAL
+| WORK in FABRIC starting UNTIL_ROWS count ROW_WORD total
                                         { $$ = stmt_row(parse, @$, syntax_total(syntax_fabric(@$, $FABRIC, $count, $ROW_WORD, $starting))); }
 | WORK in FABRIC starting UNTIL_LENGTH  { $$ = stmt_row(parse, @$, syntax_measured(syntax_fabric(@$, $FABRIC, syntax_rows_of(parse, @$, $5), SIDE_OPEN, $starting), $5)); }
 | WORK in FABRIC starting FOR_PATTERN   { $$ = stmt_row(parse, @$, syntax_as_others(syntax_fabric(@$, $FABRIC, syntax_two_rows(parse, @$), SIDE_OPEN, $starting))); }
@@ -688,6 +685,7 @@ work_statement:
 ;
 starting: %empty                        { $$ = SIDE_OPEN; } | STARTING;
 more: %empty | MORE;
+total: %empty | TOTAL;
 in: %empty | IN_FABRIC;
 for: %empty | FOR_ROWS | ',' | ':' | RANGE;
 

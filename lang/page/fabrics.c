@@ -139,6 +139,46 @@ size_t fabrics_alternate(const char *text, size_t at, char plain[static SIGNS_PL
     return strlen(plain) <= (size_t)(number - text) - at ? (size_t)(number - text) - at : 0;
 }
 
+/* The rows of the head `Rows 7-10:` that a line begins with, and behind it; 0: it begins otherwise. */
+static int rows_of_head(const char *line, const char **behind)
+{
+    const char *first = words_are_rows(line) ? words_next(line) : NULL, *to = first ? words_behind_number(first) : NULL, *last = to ? words_skip_any(to, "-|to|and|&") : NULL;
+
+    *behind = last > to ? words_behind_number(last) : NULL;
+    return *behind && **behind == ':' ? words_number(last) - words_number(first) + 1 : 0;
+}
+
+size_t fabrics_of_rows(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    static const char fabrics[] = "garter|seed|moss|stockinette|stocking|rev|reverse|st|stitch";
+    const char *work, *fabric, *count = words_skip_any(text + at, "work|for"), *rows = words_behind_number(count), *end;
+    int n = rows && words_are_rows(rows) ? rows_of_head(text + words_line_start(text, at), &work) : 0;
+
+    (void)plain;        /* nothing stands for it */
+    if (n < 1 || words_number(count) != n)
+        return 0;
+    rows += words_length(rows);
+    work = words_skip_blanks(work + 1);
+    fabric = work == text + at ? words_skip_any(rows + 1, "in|of") : work;
+    end = words_skip_any(fabric, fabrics);
+    if (end == fabric || !prose_line_ends(work == text + at ? end + (*end == '.') : rows + (*rows == '.')))
+        return 0;
+    return work == text + at ? (size_t)(fabric - work) : end == text + at ? (size_t)(rows - end) : 0;
+}
+
+size_t fabrics_begun(const char *text, size_t at, char plain[static SIGNS_PLAIN])
+{
+    const char *stitch = words_skip_any(text + at, "starting|beginning|commencing|start|begin|beg|with");
+    size_t length = stitch > text + at ? words_stitch_length(stitch) : 0, gap = words_gap_length(stitch + length);
+    const char *work = stitch + length + gap, *count = words_skip_any(work, "work|knit"), *rows = words_behind_number(count), *first;
+
+    (void)plain;
+    if (!length || !gap || count == work || !rows || !words_are_rows(rows))
+        return 0;
+    first = words_skip_any(words_next(rows), "in|of");
+    return words_stitch_length(first) == length && strncasecmp(first, stitch, length) == 0 ? (size_t)(work - text) - at : 0;
+}
+
 size_t fabrics_changed(const char *text, size_t at, char plain[static SIGNS_PLAIN])
 {
     const char *verb = text + at, *fabric, *behind, *work, *rows;

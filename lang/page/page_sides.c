@@ -122,11 +122,7 @@ static enum side sentence_at(const char *text)
 
 bool page_sides_line(const char *text)
 {
-    const char *behind = words_skip_any(text + (*text == '('), "note|nb|n.b.|important|please note|:|that|remember");
-
-    if (*behind == ':')
-        behind = words_skip_any(words_skip_blanks(behind + 1), "that");
-    text = words_skip_any(behind, "the|this|your|you|pattern|chart|piece|work");
+    text = words_skip_any(text + (*text == '('), "note|nb|n.b.|important|please note|:|that|remember|the|this|your|you|pattern|chart|piece|work");
     return sentence_at(text) && !words_line_has_sign(text, ":*,;{");
 }
 

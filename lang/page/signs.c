@@ -514,6 +514,8 @@ static const struct sign {
     {"kKpPaA1oO", true, .says = fabrics_alternate},
     {"[(*", false, .says = fabrics_alternate},
     {"cCsSbBpP", true, .says = fabrics_changed},
+    {"wWfF0123456789", true, .says = fabrics_of_rows},
+    {"sSbBcC", true, .says = fabrics_begun},
     {"kKpPaAeEoOuUwWrRtT", true, .says = kinds_length},
     {"(", false, .says = kinds_length},
     {"(", false, .says = kinds_added},

@@ -32,9 +32,6 @@ const struct phrase turns_of_books[] = {
 
     {"=# =ridges|ridge in|of garter|g -? st.|st|stitch", ""},
 
-    {"=rows|rounds|rnds =# =-|to|and|& =# =: work # rows|rounds|rnds in|of =st|stocking|stockinette|garter|moss|seed|reverse|rev", ""},
-    {"=rows|rounds|rnds =# =-|to|and|& =# =: =st|stocking|stockinette|garter|moss|seed =stitch|st for? # rows|rounds|rnds", ""},
-
     /* cast on */
     {"^ e - wrap cast on", "cast on"},
     {"^ set|put up|on =# =sts|stitches", "co"},
@@ -76,7 +73,6 @@ const struct phrase turns_of_books[] = {
     {"knit|k the? row? ,|;|-? but|and? purling|purl the? first|edge and|& the? last st|stitch", "p1, k to last st, p1"},
     {"purl|p , but|and? knitting|knit # edge|border? sts|stitches|st at|on each|either|both end|ends|side|sides|edge|edges", "k#, p to last # sts, k#"},
     {"knit|k , but|and? purling|purl # edge|border? sts|stitches|st at|on each|either|both end|ends|side|sides|edge|edges", "p#, k to last # sts, p#"},
-    {"purl|p , edge sts|stitches knit", "k1, p to last st, k1"},
     {"@ all the? sts|stitches? except|but for? the? =last", "to"},
     {"all the? sts|stitches? except|but for? the? =last", "to"},
     {"@ the middle|centre|center =# =sts|stitches", ""},
