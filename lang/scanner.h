@@ -96,6 +96,8 @@ int scanner_needle(struct scanner *, struct span); /* "1st needle: k2" */
 int scanner_no_stitches(struct scanner *, struct span, const char *word); /* "cast on 40 needles" */
 int scanner_open_string(struct scanner *, struct span);
 int scanner_character(struct scanner *, struct span);
+/* The bytes of a character without meaning: once its line has had a message, of all up to the next ASCII word. */
+size_t scanner_strange_length(const struct scanner *, const char *text);
 int scanner_end(struct scanner *);
 
 /* A statement's first word; an empty line. */

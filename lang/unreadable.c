@@ -90,6 +90,15 @@ int scanner_open_string(struct scanner *scanner, struct span span)
     return TOKEN_KNIT_error;
 }
 
+size_t scanner_strange_length(const struct scanner *scanner, const char *text)
+{
+    size_t n = 0;
+
+    while (scanner->complained && ((unsigned char)text[n] >= 0x80 || (n > 0 && text[n] == ' ')))
+        n++;
+    return n ? n : 1;
+}
+
 /* One complaint per line: what follows a strange character is often strange too. */
 int scanner_character(struct scanner *scanner, struct span span)
 {
