@@ -123,7 +123,7 @@ END
 
 # ---- ten million bytes ----
 
-# Refused within the processor time (measured: 0.5 s at most) and in less than 1.5 GB of memory.
+# Refused within the processor time (measured: 1.0 s at most) and in less than 1.5 GB of memory.
 bytes=10000000
 while read -r fragment; do
     : >wrong
